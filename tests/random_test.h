@@ -17,6 +17,9 @@ private:
   const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
 };
 
+// Of tests for either store, and so for either arithmetic.
+using Reals = testing::Types<float, double>;
+
 // What make() makes by at most so many threads.
 template <class Make>
 auto made_by_threads(std::size_t threads, const Make& make) {

@@ -21,8 +21,7 @@ Grid built(TestScene<Stored>& scene, GridKind kind, Processor processor = Proces
 
 template <class Stored>
 class Fastest : public RandomTest {};
-using StoredTypes = testing::Types<float, double>;
-TYPED_TEST_SUITE(Fastest, StoredTypes);
+TYPED_TEST_SUITE(Fastest, Reals);
 
 // Long and thin, in all directions through each other: no boxes part them.
 template <class Stored>

@@ -114,8 +114,7 @@ TEST(DivisionRules, RefuseMoreVoxelsThanAnAxisCanHave) {
 
 template <class Real>
 class Spaces : public RandomTest {};
-using Arithmetics = testing::Types<float, double>;
-TYPED_TEST_SUITE(Spaces, Arithmetics);
+TYPED_TEST_SUITE(Spaces, Reals);
 
 TYPED_TEST(Spaces, HoldTheBoundsAndTheirMargin) {
   using Real = TypeParam;

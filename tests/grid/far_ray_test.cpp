@@ -10,8 +10,6 @@
 namespace masu {
 namespace {
 
-using Arithmetics = testing::Types<float, double>;
-
 // The error bound of margin.h, in u M.
 constexpr double clip_error = 8;
 
@@ -77,7 +75,7 @@ Ray<Real> far_ray(Chance& chance, const Boxd& box, double distance) {
 
 template <class Real>
 class FarRay : public RandomTest {};
-TYPED_TEST_SUITE(FarRay, Arithmetics);
+TYPED_TEST_SUITE(FarRay, Reals);
 
 template <class Real>
 Boxd random_bounds(Chance& chance) {

@@ -57,8 +57,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(ByPasses, BuilderComparison, DeviceLikes);
 using Executors = RandomTest;
 template <class Stored>
 class MovedTriangles : public RandomTest {};
-using Stores = testing::Types<float, double>;
-TYPED_TEST_SUITE(MovedTriangles, Stores);
+TYPED_TEST_SUITE(MovedTriangles, Reals);
 
 TYPED_TEST(MovedTriangles, AreTheSameByAnyExecutor) {
   Chance& chance = this->chance_;

@@ -299,8 +299,7 @@ protected:
     }
   }
 };
-using Arithmetics = testing::Types<float, double>;
-TYPED_TEST_SUITE(GridWalk, Arithmetics);
+TYPED_TEST_SUITE(GridWalk, Reals);
 
 // Code that is compiled for fewer kinds of primitives does the same.
 TYPED_TEST(GridWalk, FindsTheSameWithoutTheCodeForAbsentKinds) {

@@ -57,8 +57,7 @@ TestScene<Stored> with_points(Chance& chance, const TestScene<Stored>& scene,
 
 template <class Stored>
 class Points : public RandomTest {};
-using Stores = testing::Types<float, double>;
-TYPED_TEST_SUITE(Points, Stores);
+TYPED_TEST_SUITE(Points, Reals);
 
 TYPED_TEST(Points, AreInNoGridWhichIsAsWithoutThem) {
   using Stored = TypeParam;

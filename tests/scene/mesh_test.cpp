@@ -6,11 +6,9 @@
 namespace masu {
 namespace {
 
-using Arithmetics = testing::Types<float, double>;
-
 template <class Real>
 class RayAndMesh : public RandomTest {};
-TYPED_TEST_SUITE(RayAndMesh, Arithmetics);
+TYPED_TEST_SUITE(RayAndMesh, Reals);
 
 // The side of an edge is decided exactly, so that a hit doesn't depend on the corners' order or winding. (t
 // may differ in its last bits: its sums are rounded in another order.)

@@ -5,8 +5,6 @@
 namespace masu {
 namespace {
 
-using Arithmetics = testing::Types<float, double>;
-
 template <class Real, class Primitive>
 testing::AssertionResult meets_at(const Primitive& primitive, const Vec3<Real>& origin,
                                   const Vec3<Real>& direction, double wanted) {
@@ -23,7 +21,7 @@ bool misses(const Primitive& primitive, const Vec3<Real>& origin, const Vec3<Rea
 
 template <class Real>
 class RayAndRound : public RandomTest {};
-TYPED_TEST_SUITE(RayAndRound, Arithmetics);
+TYPED_TEST_SUITE(RayAndRound, Reals);
 
 TYPED_TEST(RayAndRound, NegativeRadiusShowsOnlyTheInside) {
   using Real = TypeParam;
