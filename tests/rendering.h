@@ -3,9 +3,9 @@
 
 #include "renderer/tracer.h"
 #include "tests/grid_of_scene.h"
+#include "tests/same_values.h"
 #include "tests/temporary_folder.h"
 
-#include <cstring>
 #include <memory>
 
 namespace masu {
@@ -57,10 +57,6 @@ inline Frame used_memory(std::size_t rays) {
   return frame;
 }
 
-template <class Values>
-bool same_values(const Values& a, const Values& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
-}
 inline void expect_same_frames(const Frame& a, const Frame& b) {
   EXPECT_TRUE(same_values(a.radiance, b.radiance));
   EXPECT_TRUE(same_values(a.rgb, b.rgb));

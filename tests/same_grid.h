@@ -2,26 +2,20 @@
 #pragma once
 
 #include "libgrid/build/build.h"
+#include "tests/same_values.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 namespace masu {
-
-template <class T>
-bool same_bytes(const HostArray<T>& a, const HostArray<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
 
 inline void expect_same(const Grid& a, const Grid& b) {
   EXPECT_EQ(a.block_log2, b.block_log2);
   EXPECT_EQ(a.nested_log2, b.nested_log2);
   EXPECT_TRUE(a.layout.division == b.layout.division);
-  EXPECT_TRUE(same_bytes(a.references, b.references)) << a.references.size() << ' ' << b.references.size();
-  EXPECT_TRUE(same_bytes(a.cells, b.cells)) << a.cells.size() << ' ' << b.cells.size();
-  EXPECT_TRUE(same_bytes(a.voxel_map, b.voxel_map)) << a.voxel_map.size() << ' ' << b.voxel_map.size();
-  EXPECT_TRUE(same_bytes(a.nodes, b.nodes)) << a.nodes.size() << ' ' << b.nodes.size();
+  EXPECT_TRUE(same_values(a.references, b.references)) << a.references.size() << ' ' << b.references.size();
+  EXPECT_TRUE(same_values(a.cells, b.cells)) << a.cells.size() << ' ' << b.cells.size();
+  EXPECT_TRUE(same_values(a.voxel_map, b.voxel_map)) << a.voxel_map.size() << ' ' << b.voxel_map.size();
+  EXPECT_TRUE(same_values(a.nodes, b.nodes)) << a.nodes.size() << ' ' << b.nodes.size();
 }
 
 } // namespace masu

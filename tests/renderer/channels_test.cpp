@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <map>
 #include <numeric>
 
@@ -210,7 +209,7 @@ TEST(Channels, CostsOfAPictureChangeNothingElse) {
     request.costs = true;
     const Frame with = tracer.render(request);
     EXPECT_EQ(plain.radiance, with.radiance);
-    EXPECT_EQ(std::memcmp(plain.hits.data(), with.hits.data(), plain.hits.size() * sizeof(HitRecord)), 0);
+    EXPECT_TRUE(same_values(plain.hits, with.hits));
     EXPECT_TRUE(plain.cells.empty());
     EXPECT_EQ(with.cells.size(), with.radiance.size());
   });

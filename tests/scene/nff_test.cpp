@@ -1,6 +1,7 @@
 #include "libscene/nff/nff.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
+#include "tests/same_values.h"
 #include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -148,11 +148,6 @@ NffOptions random_options(Chance& chance) {
 
 // --- Comparison
 
-template <class Records>
-void expect_same_bytes(const Records& a, const Records& b, const char* what) {
-  ASSERT_EQ(a.size(), b.size()) << what;
-  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(*a.data())) == 0) << what;
-}
 // Without padding.
 std::vector<Triangle<double>> padless(const GrowingArray<SceneTriangle>& triangles) {
   return {triangles.begin(), triangles.end()};
@@ -173,14 +168,14 @@ std::array<std::uint64_t, 9> counts(const Scene& scene) {
 }
 
 void expect_same(const Scene& a, const Scene& b) {
-  expect_same_bytes(a.lights, b.lights, "lights");
-  expect_same_bytes(a.materials, b.materials, "materials");
-  expect_same_bytes(padless(a.triangles), padless(b.triangles), "triangles");
-  expect_same_bytes(a.normals, b.normals, "normals");
-  expect_same_bytes(a.spheres, b.spheres, "spheres");
-  expect_same_bytes(a.sphere_surfaces, b.sphere_surfaces, "sphere surfaces");
-  expect_same_bytes(a.cones, b.cones, "cones");
-  expect_same_bytes(a.cone_surfaces, b.cone_surfaces, "cone surfaces");
+  EXPECT_TRUE(same_values(a.lights, b.lights)) << "lights";
+  EXPECT_TRUE(same_values(a.materials, b.materials)) << "materials";
+  EXPECT_TRUE(same_values(padless(a.triangles), padless(b.triangles))) << "triangles";
+  EXPECT_TRUE(same_values(a.normals, b.normals)) << "normals";
+  EXPECT_TRUE(same_values(a.spheres, b.spheres)) << "spheres";
+  EXPECT_TRUE(same_values(a.sphere_surfaces, b.sphere_surfaces)) << "sphere surfaces";
+  EXPECT_TRUE(same_values(a.cones, b.cones)) << "cones";
+  EXPECT_TRUE(same_values(a.cone_surfaces, b.cone_surfaces)) << "cone surfaces";
   EXPECT_EQ(counts(a), counts(b));
   EXPECT_TRUE(a.camera.from == b.camera.from && a.camera.at == b.camera.at && a.camera.up == b.camera.up);
   EXPECT_EQ(a.camera.angle, b.camera.angle);
@@ -470,6 +465,14 @@ TEST_F(Nff, DefaultViewOfATinySceneHasADirection) {
 }
 
 TEST_F(Nff, LightsShareTheDefaultIntensity) {
+  std::string lights;
+  for (int n = 1; n <= 9; ++n) {
+    const Scene of_n = parse(lights += "l 0 0 1000\n");
+    const double each = std::sqrt(n) / (2 * n);
+    EXPECT_FLOAT_EQ(of_n.ambient, static_cast<float>(each));
+    for (const Light<double>& light : of_n.lights)
+      EXPECT_FLOAT_EQ(static_cast<float>(light.intensity.y), static_cast<float>(each)) << n << " lights";
+  }
   const Scene scene = parse("l 1 2 3\nl 4 5 6 0.5 0.25 2\nl 7 8 9\nl 0 0 1");
   ASSERT_EQ(scene.lights.size(), 4U);
   EXPECT_FLOAT_EQ(scene.ambient, 0.25F); // √4 / 8
