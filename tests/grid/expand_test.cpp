@@ -1,6 +1,7 @@
-// Stretching, against its definition followed voxel by voxel; and what it compares lists by.
+// Expansion, against its definition followed voxel by voxel; and what it compares lists by.
 #include "libgrid/build/passes/expand_passes.h"
 #include "libgrid/build/passes/host_executor.h"
+#include "tests/grid/lists.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
@@ -9,30 +10,13 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <span>
 
 namespace masu {
 namespace {
 
-using Lists = RandomTest;
+using ComparedLists = RandomTest;
 using Stretch = RandomTest;
-
-using Primitives = std::set<PrimitiveIndex>;
-
-Primitives primitives_of(std::span<const PrimitiveIndex> references, std::uint32_t list) {
-  Primitives primitives;
-  if (list == empty_list) return primitives;
-  for (bool last = false; !last; ++list) {
-    last = (references[list] & last_bit) != 0;
-    primitives.insert(references[list] & ~last_bit);
-  }
-  return primitives;
-}
-
-bool includes(const Primitives& all, const Primitives& some) {
-  return std::includes(all.begin(), all.end(), some.begin(), some.end());
-}
 
 std::array<std::array<std::int32_t, 2>, 3> ranges_of(const MergedCell& cell) {
   const auto range = [](std::uint32_t packed) {
@@ -129,7 +113,7 @@ TEST_F(Stretch, MovesFacesAsDefined) {
   EXPECT_GT(gave_up, 0);
 }
 
-TEST_F(Lists, ContainedAsSetsAre) {
+TEST_F(ComparedLists, AreContainedAsSetsAre) {
   std::int64_t contained = 0;
   for (std::int64_t s = cases(20000); s > 0; --s) {
     std::vector<PrimitiveIndex> references;

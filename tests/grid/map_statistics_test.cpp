@@ -1,6 +1,7 @@
 // Statistics of where cells are, against every voxel looked up by itself, and against random lines.
 #include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
+#include "tests/grid/lists.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
@@ -26,11 +27,6 @@ GridOptions random_rule(Chance& chance) {
 
 double half_area(const Vec3d& w) {
   return w.x * w.y + w.y * w.z + w.z * w.x;
-}
-
-template <class Act>
-void for_each_voxel_of(const Vec3i& n, const Act& act) {
-  for_each_voxel({{0, 0, 0}, n - Vec3i{1, 1, 1}}, act);
 }
 
 // Words of the map that a look-up of the voxel loads.
@@ -62,8 +58,7 @@ bool meets(const Vec3d& origin, const Vec3d& direction, const Vec3d& low, const 
 
 template <class Stored>
 class MapStatisticsOf : public RandomTest {};
-using Stores = testing::Types<float, double>;
-TYPED_TEST_SUITE(MapStatisticsOf, Stores);
+TYPED_TEST_SUITE(MapStatisticsOf, Reals);
 
 TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
   Chance& chance = this->chance_;
@@ -77,7 +72,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
     std::vector<OwnVoxels> own(grid.cells.size());
     std::uint64_t occupied = 0;
     double all_loads = 0, voxel_tests = 0;
-    for_each_voxel_of(view.division, [&](const Vec3i& voxel) {
+    for_each_voxel_of({{0, 0, 0}, view.division}, [&](const Vec3i& voxel) {
       const std::uint32_t number = cell_number(view, voxel);
       const std::uint32_t references = references_in(view, voxel);
       OwnVoxels& cell = own.at(number);
@@ -148,7 +143,7 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
     const GridView<double> view = view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.references));
     std::uint64_t occupied = 0, references = 0;
-    for_each_voxel_of(layout.division, [&](const Vec3i& voxel) {
+    for_each_voxel_of({{0, 0, 0}, layout.division}, [&](const Vec3i& voxel) {
       const std::uint32_t listed = references_in(view, voxel);
       occupied += listed > 0;
       references += listed;
@@ -180,7 +175,7 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
 
   const Vec3d size = cast<double>(view.voxel_size);
   double cells = 0, all_loads = 0;
-  for_each_voxel_of(n, [&](const Vec3i& voxel) {
+  for_each_voxel_of({{0, 0, 0}, n}, [&](const Vec3i& voxel) {
     const int log2 = look_up(view, voxel).side_log2;
     all_loads += log2 == 0 ? 2 : 1;
     Vec3i w{1, 1, 1};

@@ -3,6 +3,7 @@
 #include "libgrid/build/passes/merge_passes.h"
 #include "libscene/base/error.h"
 #include "tests/grid/device_like_executor.h"
+#include "tests/grid/lists.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
@@ -18,36 +19,6 @@ namespace {
 
 using MergedOutOfRange = RandomTest;
 
-// Primitives by voxel, as for_each_overlap gives them.
-using Lists = std::vector<std::set<PrimitiveIndex>>;
-
-// layout_for: of each primitive, by its margin alone.
-template <class Stored, class LayoutFor>
-Lists lists_by(TestScene<Stored>& scene, const Vec3i& division, Overlap overlap,
-               const LayoutFor& layout_for) {
-  Lists lists(voxel_count(division));
-  const SceneView<Stored> view = scene.view();
-  for (PrimitiveIndex i = 0; i < scene.count(); ++i)
-    with_primitive(view, i, [&](const auto& primitive) {
-      for_each_overlap(layout_for(primitive), overlap, primitive,
-                       [&](const Vec3i& voxel) { lists[linear_index(voxel, division)].insert(i); });
-    });
-  return lists;
-}
-template <class Stored>
-Lists lists_of(TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
-  return lists_by(scene, layout.division, overlap, [&](const auto&) { return layout; });
-}
-
-bool includes(const std::set<PrimitiveIndex>& all, const std::set<PrimitiveIndex>& some) {
-  return std::includes(all.begin(), all.end(), some.begin(), some.end());
-}
-
-template <class Act>
-void for_each_voxel_of(const VoxelBox& box, const Act& act) {
-  for_each_voxel({box.first, box.end - Vec3i{1, 1, 1}}, act);
-}
-
 std::int64_t volume(const VoxelBox& box) {
   const Vec3i w = box.end - box.first;
   return std::int64_t{w.x} * w.y * w.z;
@@ -58,13 +29,13 @@ struct Cells {
   const Grid& grid;
   Vec3i division; // in the smallest voxels
   std::vector<VoxelBox> own, boxes;
-  std::vector<std::set<PrimitiveIndex>> lists;
+  std::vector<Primitives> lists;
   std::vector<std::uint32_t> of_voxel;
 
   // Fails where voxels lead astray, cells aren't boxes of voxels, or lists aren't in order.
   explicit Cells(const Grid& g)
       : grid(g), division(finest_layout(g).division), own(g.cells.size(), VoxelBox{division, {0, 0, 0}}),
-        lists(g.cells.size()), of_voxel(voxel_count(division)) {
+        of_voxel(voxel_count(division)) {
     const MergedGridView<double> view = merged_view_of<double>(grid);
     std::vector<std::int64_t> counts(grid.cells.size(), 0);
     for_each_voxel_of({{0, 0, 0}, division}, [&](const Vec3i& voxel) {
@@ -82,23 +53,12 @@ struct Cells {
       boxes.push_back(box_of(grid.cells[i]));
       EXPECT_GT(counts[i], 0) << "no voxel leads to cell " << i;
       EXPECT_EQ(counts[i], volume(own[i])) << "not a box of voxels: cell " << i;
-      read_list(i);
+      lists.push_back(primitives_of(grid.references, grid.cells[i].list));
+      EXPECT_EQ(std::ranges::adjacent_find(lists[i], std::greater_equal<>()), lists[i].end())
+          << "not in rising order: cell " << i;
       references += lists[i].size();
     }
     EXPECT_EQ(references, grid.references.size());
-  }
-
-private:
-  void read_list(std::size_t cell) {
-    std::uint32_t at = grid.cells[cell].list;
-    if (at == empty_list) return;
-    for (bool last = false; !last; ++at) {
-      ASSERT_LT(at, grid.references.size());
-      const PrimitiveIndex primitive = grid.references[at] & ~last_bit;
-      last = (grid.references[at] & last_bit) != 0;
-      ASSERT_TRUE(lists[cell].empty() || *lists[cell].rbegin() < primitive) << "not in rising order";
-      lists[cell].insert(primitive);
-    }
   }
 };
 
@@ -124,8 +84,7 @@ protected:
     }
   }
 };
-using Stores = testing::Types<float, double>;
-TYPED_TEST_SUITE(Merged, Stores);
+TYPED_TEST_SUITE(Merged, Reals);
 
 // What lies nearer than this to a voxel must be listed in its cell; what lies farther than that must not.
 // Between them is what rounding may decide either way.
@@ -158,7 +117,7 @@ void expect_listed(const Cells& cells, const Lists& needed) {
     for (int axis = 0; axis < 3; ++axis)
       ASSERT_TRUE(box.first[axis] >= 0 && box.first[axis] <= voxel[axis] && voxel[axis] < box.end[axis] &&
                   box.end[axis] <= cells.division[axis]);
-    ASSERT_TRUE(includes(cells.lists[cell], needed[place]))
+    ASSERT_TRUE(includes(cells.lists[cell], listed(needed, place)))
         << "voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
   });
 }
@@ -226,11 +185,11 @@ TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
       },
       [](auto& scene, const RandomCase& by, const Grid& grid, const Cells& cells) {
         const Lists possible = lists_of(scene, with_margin(finest_layout(grid), perhaps), by.overlap);
-        Lists in_cells(grid.cells.size());
-        for (std::size_t voxel = 0; voxel < possible.size(); ++voxel)
-          in_cells[cells.of_voxel[voxel]].insert(possible[voxel].begin(), possible[voxel].end());
+        std::vector<std::set<PrimitiveIndex>> in_cells(grid.cells.size());
+        for (const auto& [voxel, list] : possible)
+          in_cells[cells.of_voxel[voxel]].insert(list.begin(), list.end());
         for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
-          ASSERT_TRUE(includes(in_cells[cell], cells.lists[cell])) << "cell " << cell;
+          ASSERT_TRUE(std::ranges::includes(in_cells[cell], cells.lists[cell])) << "cell " << cell;
       });
 }
 
@@ -249,9 +208,10 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
           expanded += volume(cells.boxes[cell]) > volume(cells.own[cell]);
           for_each_voxel_of(cells.boxes[cell], [&](const Vec3i& voxel) {
             const std::uint64_t place = linear_index(voxel, cells.division);
-            const std::set<PrimitiveIndex>& others = cells.lists[cells.of_voxel[place]];
+            const Primitives& others = cells.lists[cells.of_voxel[place]];
             over_others += cells.of_voxel[place] != cell && !others.empty();
-            ASSERT_TRUE(includes(cells.lists[cell], others) && includes(cells.lists[cell], needed[place]))
+            ASSERT_TRUE(includes(cells.lists[cell], others) &&
+                        includes(cells.lists[cell], listed(needed, place)))
                 << "cell " << cell << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
           });
         }
@@ -281,10 +241,10 @@ TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
         const Lists lists = lists_of(scene, by.layout, by.overlap);
         for_each_voxel_of({{0, 0, 0}, division}, [&](const Vec3i& voxel) {
           const auto is_empty = [&](std::int32_t x) {
-            return lists[linear_index({x, voxel.y, voxel.z}, division)].empty();
+            return listed(lists, linear_index({x, voxel.y, voxel.z}, division)).empty();
           };
           const std::uint32_t cell = cells.of_voxel[linear_index(voxel, division)];
-          ASSERT_EQ(cells.lists[cell], lists[linear_index(voxel, division)]);
+          ASSERT_EQ(cells.lists[cell], listed(lists, linear_index(voxel, division)));
           VoxelBox run{voxel, voxel + Vec3i{1, 1, 1}};
           if (is_empty(voxel.x)) {
             while (run.first.x > 0 && is_empty(run.first.x - 1))
@@ -301,21 +261,21 @@ TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
 
 // Whether a plane divides the cell so that both halves list fewer.
 bool could_be_divided(const Lists& lists, const VoxelBox& box, const Vec3i& division) {
-  const auto listed = [&](const VoxelBox& part) {
+  const auto listed_in = [&](const VoxelBox& part) {
     std::set<PrimitiveIndex> all;
     for_each_voxel_of(part, [&](const Vec3i& voxel) {
-      const auto& list = lists[linear_index(voxel, division)];
+      const Primitives& list = listed(lists, linear_index(voxel, division));
       all.insert(list.begin(), list.end());
     });
     return all.size();
   };
-  const std::size_t whole = listed(box);
+  const std::size_t whole = listed_in(box);
   for (int axis = 0; axis < 3; ++axis) {
     for (std::int32_t at = box.first[axis] + 1; at < box.end[axis]; ++at) {
       VoxelBox below = box, above = box;
       below.end.set(axis, at);
       above.first.set(axis, at);
-      if (listed(below) < whole && listed(above) < whole) return true;
+      if (listed_in(below) < whole && listed_in(above) < whole) return true;
     }
   }
   return false;

@@ -1,6 +1,7 @@
 // What a grid lists against what each primitive says of each voxel, and the numbers told of it; the same
 // bytes for any number of threads.
 #include "libgrid/statistics/statistics.h"
+#include "tests/grid/lists.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
@@ -9,46 +10,26 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 namespace masu {
 namespace {
-
-// Primitives by voxel, in rising order, as for_each_overlap gives them.
-using Lists = std::map<std::uint64_t, std::vector<PrimitiveIndex>>;
-
-template <class Stored>
-Lists lists_of(TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
-  Lists lists;
-  const SceneView<Stored> view = scene.view();
-  for (PrimitiveIndex i = 0; i < scene.count(); ++i)
-    with_primitive(view, i, [&](const auto& primitive) {
-      for_each_overlap(layout, overlap, primitive,
-                       [&](const Vec3i& voxel) { lists[linear_index(voxel, layout.division)].push_back(i); });
-    });
-  return lists;
-}
 
 template <class Stored>
 Lists lists_of(const Grid& grid) {
   const GridView<Stored> view = view_of<Stored>(grid);
   Lists lists;
-  for_each_voxel({{0, 0, 0}, grid.layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+  for_each_voxel_of({{0, 0, 0}, grid.layout.division}, [&](const Vec3i& voxel) {
     const MapEntry entry = look_up(view, voxel);
     if ((entry.word & occupied_bit) == 0) return;
-    std::vector<PrimitiveIndex>& listed = lists[linear_index(voxel, grid.layout.division)];
-    for (std::uint32_t at = entry.word & ~occupied_bit;; ++at) {
-      listed.push_back(view.references[at] & ~last_bit);
-      if ((view.references[at] & last_bit) != 0) break;
-    }
+    lists[linear_index(voxel, grid.layout.division)] =
+        primitives_of(grid.references, entry.word & ~occupied_bit);
   });
   return lists;
 }
 
 template <class Stored>
 class Built : public RandomTest {};
-using Stores = testing::Types<float, double>;
-TYPED_TEST_SUITE(Built, Stores);
+TYPED_TEST_SUITE(Built, Reals);
 
 TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
   Chance& chance = this->chance_;
@@ -129,7 +110,7 @@ TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
 
     std::vector<std::uint64_t> counts; // of the occupied voxels
     std::uint64_t references = 0;
-    for_each_voxel({{0, 0, 0}, layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+    for_each_voxel_of({{0, 0, 0}, layout.division}, [&](const Vec3i& voxel) {
       const std::uint32_t count = references_in(view, voxel);
       if (count > 0) counts.push_back(count);
       references += count;
