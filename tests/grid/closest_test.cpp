@@ -4,6 +4,7 @@
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
+#include "tests/stability/oracle/oracle.h"
 #include "tests/surface_point.h"
 
 #include <gtest/gtest.h>
@@ -13,46 +14,14 @@
 namespace masu {
 namespace {
 
-double length_of(const Vec3d& v) {
-  return std::sqrt(dot(v, v));
-}
-
-// How far a point is off the surface. A triangle's is the hull of its corners: the point is within it if
-// nowhere the corners are all on one side of it, which is tried along its edges and normal.
-double off_surface(const Triangle<double>& t, const Vec3d& point) {
-  const Vec3d normal = cross(t.b - t.a, t.c - t.a);
-  double off = 0;
-  const auto try_along = [&](const Vec3d& direction) {
-    const double length = length_of(direction);
-    if (!(length > 0)) return;
-    const double a = dot(t.a - point, direction), b = dot(t.b - point, direction),
-                 c = dot(t.c - point, direction);
-    off = std::max({off, std::min({a, b, c}) / length, -std::max({a, b, c}) / length});
-  };
-  for (const Vec3d& edge : {t.b - t.a, t.c - t.b, t.a - t.c}) {
-    try_along(edge);
-    try_along(cross(normal, edge));
-  }
-  try_along(normal);
-  return off;
-}
-double off_surface(const Sphere<double>& s, const Vec3d& point) {
-  return std::abs(length_of(point - s.center) - std::abs(s.radius));
-}
-double off_surface(const Cone<double>& c, const Vec3d& point) {
-  const Vec3d axis = c.apex - c.base, from = point - c.base;
-  const double height = length_of(axis), taper = std::abs(c.apex_radius) - std::abs(c.base_radius),
-               share = std::clamp(dot(from, axis) / dot(axis, axis), 0.0, 1.0),
-               radius = std::abs(c.base_radius) + share * taper;
-  const Vec3d along = axis * share, across = from - axis * (dot(from, axis) / dot(axis, axis));
-  const double beyond = length_of(from - across - along); // either end
-  return std::max(std::abs(length_of(across) - radius) * height / std::hypot(height, taper), beyond);
+template <class Primitive>
+double off_surface(const Primitive& primitive, const Vec3d& point) {
+  return static_cast<double>(oracle::distance(oracle::point(point), primitive));
 }
 
 template <class Real>
 class ClosestPoints : public RandomTest {};
-using Stores = testing::Types<float, double>;
-TYPED_TEST_SUITE(ClosestPoints, Stores);
+TYPED_TEST_SUITE(ClosestPoints, Reals);
 
 TYPED_TEST(ClosestPoints, AreThoseOfTryingEveryPrimitive) {
   using Real = TypeParam;
@@ -104,10 +73,10 @@ TYPED_TEST(ClosestPoints, AreOnTheSurfaceAndNoneIsCloser) {
         if (!has_surface(primitive)) return;
         const ClosestPoint closest = closest_point(primitive, place);
         const double distance = std::sqrt(closest.squared);
-        ASSERT_NEAR(length_of(place - closest.point), distance, tolerance) << i;
+        ASSERT_NEAR(length(place - closest.point), distance, tolerance) << i;
         ASSERT_LE(off_surface(primitive, closest.point), tolerance) << i;
         for (int k = 0; k < 20; ++k)
-          ASSERT_LE(distance, length_of(place - on_surface(chance, primitive).at) + tolerance) << i;
+          ASSERT_LE(distance, length(place - on_surface(chance, primitive).at) + tolerance) << i;
       });
     }
   }
@@ -128,9 +97,9 @@ TEST_F(ClosestPointOfCone, IsOnTheSurfaceFromTheAxisAndNearIt) {
     const Vec3d place = on_axis + across(chance_, axis) * off;
     const ClosestPoint closest = closest_point(cone, place);
     const double distance = std::sqrt(closest.squared), tolerance = 0x1p-44;
-    ASSERT_NEAR(length_of(place - closest.point), distance, tolerance);
+    ASSERT_NEAR(length(place - closest.point), distance, tolerance);
     ASSERT_LE(off_surface(cone, closest.point), tolerance);
-    ASSERT_LE(distance, length_of(place - on_surface(chance_, cone).at) + tolerance);
+    ASSERT_LE(distance, length(place - on_surface(chance_, cone).at) + tolerance);
   }
 }
 
@@ -158,7 +127,7 @@ TEST(ClosestPoint, OfKnownPlaces) {
   EXPECT_EQ(on_axis.primitive, 4U);
   EXPECT_EQ(on_axis.closest.squared, 1);
   const ClosestPoint near_center = closest_point(Sphere<double>{{0, 0, 0}, 1}, {0x1p-540, 0, -0x1p-540});
-  EXPECT_NEAR(length_of(near_center.point), 1, 0x1p-50);
+  EXPECT_NEAR(length(near_center.point), 1, 0x1p-50);
   EXPECT_EQ(closest_primitive(view, NoGrid{}, {NAN, 0, 0}, {}).primitive, no_primitive);
   EXPECT_EQ(closest_primitive(view, NoGrid{}, {0, INFINITY, 0}, {}).primitive, no_primitive);
 }

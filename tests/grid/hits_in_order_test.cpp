@@ -98,8 +98,7 @@ protected:
     static_cast<void>(scene);
   }
 };
-using Arithmetics = testing::Types<float, double>;
-TYPED_TEST_SUITE(HitsInOrder, Arithmetics);
+TYPED_TEST_SUITE(HitsInOrder, Reals);
 
 TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
   using Real = TypeParam;
@@ -125,6 +124,12 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
       const Ray<Real> ray = rays.ray();
       const HitFilter filter = this->filter(view);
       const List<Real> expected = tried(view, ray, filter);
+      NoCounts counts;
+      const Hit<Real> nearest = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+      const List<Real> all = tried(view, ray, {Faces::both, EdgeRule::closed});
+      ASSERT_EQ(all.empty(), nearest.primitive == no_primitive) << described(ray.origin, ray.direction);
+      ASSERT_TRUE(all.empty() || (same_bits(all[0].t, nearest.t) && all[0].primitive == nearest.primitive))
+          << described(ray.origin, ray.direction);
       const std::uint32_t limit =
           chance.one_in(2) ? no_primitive : static_cast<std::uint32_t>(chance.whole(1, 40));
       List<Real> first = expected;
@@ -139,27 +144,6 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
   }
   EXPECT_GT(hits, static_cast<std::size_t>(cases(5000)));
   EXPECT_GT(many, static_cast<std::size_t>(cases(50)));
-}
-
-TYPED_TEST(HitsInOrder, BeginWithTheNearestHit) {
-  using Real = TypeParam;
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(300); s > 0; --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
-    const SceneView<Real> view = scene.view();
-    const Grid grid = random_grid(chance, view, scene.bounds());
-    RayMaker<Real> rays(chance, scene, scene.bounds(), grid);
-    for (int r = 0; r < 100; ++r) {
-      const Ray<Real> ray = rays.ray();
-      NoCounts counts;
-      const Hit<Real> nearest = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
-      const List<Real> list = listed(view, NoGrid{}, ray, {Faces::both, EdgeRule::closed}, 1);
-      ASSERT_EQ(list.empty(), nearest.primitive == no_primitive) << described(ray.origin, ray.direction);
-      if (list.empty()) continue;
-      EXPECT_TRUE(same_bits(list[0].t, nearest.t)) << described(ray.origin, ray.direction);
-      EXPECT_EQ(list[0].primitive, nearest.primitive);
-    }
-  }
 }
 
 // Also of meshes so small that products of two coordinates underflow.

@@ -2,6 +2,8 @@
 #include "libscene/section.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
+#include "tests/stability/oracle/oracle.h"
+#include "tests/surface_point.h"
 
 #include <gtest/gtest.h>
 
@@ -29,58 +31,9 @@ Vec3d in_space(const SectionOptions& plane, const std::array<double, 2>& at) {
   return p;
 }
 
-double length(const Vec3d& v) {
-  return std::sqrt(dot(v, v));
-}
-
 double distance_to_segment(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
-  const Vec3d d = b - a;
-  const double square = dot(d, d);
-  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return length(p - (a + d * t));
-}
-
-// How far a point is from a primitive.
-double distance(const Triangle<double>& t, const Vec3d& p) {
-  const Vec3d n = cross(t.b - t.a, t.c - t.a);
-  const double square = dot(n, n);
-  const double at_sides = std::min(
-      {distance_to_segment(p, t.a, t.b), distance_to_segment(p, t.b, t.c), distance_to_segment(p, t.c, t.a)});
-  if (!(square > 0)) return at_sides;
-  const auto is_left_of = [&](const Vec3d& a, const Vec3d& b) { return dot(cross(b - a, p - a), n) >= 0; };
-  if (!is_left_of(t.a, t.b) || !is_left_of(t.b, t.c) || !is_left_of(t.c, t.a)) return at_sides;
-  return std::min(at_sides, std::abs(dot(p - t.a, n)) / std::sqrt(square));
-}
-double distance(const Sphere<double>& s, const Vec3d& p) {
-  return std::abs(length(p - s.center) - std::abs(s.radius));
-}
-// Within a half-plane through the axis the side is a segment.
-double distance(const Cone<double>& c, const Vec3d& p) {
-  const Vec3d axis = c.apex - c.base;
-  const double rise = length(axis), height = dot(p - c.base, axis) / rise;
-  const double rho = length(cross(p - c.base, axis)) / rise;
-  return distance_to_segment({rho, height, 0}, {std::abs(c.base_radius), 0, 0},
-                             {std::abs(c.apex_radius), rise, 0});
-}
-
-// A point of the primitive.
-Vec3d point_on(Chance& chance, const Triangle<double>& t) {
-  double u = chance.uniform(0, 1), v = chance.uniform(0, 1);
-  if (u + v > 1) {
-    u = 1 - u;
-    v = 1 - v;
-  }
-  return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
-}
-Vec3d point_on(Chance& chance, const Sphere<double>& s) {
-  return s.center + chance.direction() * std::abs(s.radius);
-}
-Vec3d point_on(Chance& chance, const Cone<double>& c) {
-  const Vec3d axis = c.apex - c.base;
-  const Vec3d side = cross(axis, chance.direction());
-  const double z = chance.uniform(0, 1);
-  const double radius = std::abs(c.base_radius) + (std::abs(c.apex_radius) - std::abs(c.base_radius)) * z;
-  return c.base + axis * z + side * (radius / length(side));
+  return static_cast<double>(
+      oracle::distance_to_segment(oracle::point(p), oracle::point(a), oracle::point(b)));
 }
 
 // How wide it is across its longest extent: a needle's section may be a point once rounded.
@@ -110,7 +63,7 @@ TEST_F(Section, LiesOnItsPrimitives) {
       ++segments;
       with_primitive(scene.view(), segment.primitive, [&](const auto& primitive) {
         for (const auto& end : {segment.from, segment.to})
-          EXPECT_LE(distance(primitive, in_space(plane, end)), 1e-9 * size_of(box))
+          EXPECT_LE(oracle::distance(oracle::point(in_space(plane, end)), primitive), 1e-9 * size_of(box))
               << described(primitive) << " axis " << axis << " at " << position;
       });
     }
@@ -127,7 +80,7 @@ TEST_F(Section, HasEveryPointOfItsPrimitives) {
     if (view.primitive_count() == 0) continue;
     const auto index = static_cast<PrimitiveIndex>(chance_.index(view.primitive_count()));
     with_primitive(view, index, [&](const auto& primitive) {
-      const Vec3d p = point_on(chance_, primitive);
+      const Vec3d p = on_surface(chance_, primitive).at;
       const Boxd own = bounds(primitive);
       const double extent = length(own.max - own.min);
       const int axis = chance_.whole(0, 2);
