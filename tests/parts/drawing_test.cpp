@@ -167,15 +167,6 @@ TEST_F(DrawingTest, BlocksOfTextHaveAllWordsAndTheirWidth) {
   EXPECT_TRUE(text_block("", 20, 100).lines.empty());
 }
 
-TEST_F(DrawingTest, TheSamePageHasTheSamePixels) {
-  const Drawing page{
-      200, 100, [](cairo_t* cairo) {
-        draw_text(cairo, 10, 50, "text", 20);
-        draw_color_bar(cairo, {100, 10, 120, 90}, ColorMap(), std::vector<ColorBarLabel>{{0.5, "1"}}, 12);
-      }};
-  EXPECT_EQ(drawn(page).rgb, drawn(page).rgb);
-}
-
 TEST_F(DrawingTest, AnSvgHasATitleADescriptionAndAGlyphForEachLetter) {
   const auto glyphs = [&](const std::string& text) {
     const std::string page =

@@ -51,24 +51,17 @@ protected:
 INSTANTIATE_TEST_SUITE_P(All, Container, testing::ValuesIn(tiny_files()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(Container, AnyFlippedBitOfThePreludeIsDetected) {
-  const Bytes bytes = read_bytes(path_);
-  for (std::size_t at = 0; at < sizeof(Prelude); ++at) {
-    for (unsigned bit = 0; bit < 8; ++bit) {
-      set_byte(at, static_cast<std::uint8_t>(bytes[at] ^ (1U << bit)));
-      ASSERT_TRUE(refused(path_)) << "byte " << at << ", bit " << bit;
-    }
-    set_byte(at, bytes[at]);
-  }
-  EXPECT_NO_THROW(GetParam().open(path_));
-}
-
+// Every bit of the prelude, and one of each byte after it.
 TEST_P(Container, AnyChangedByteIsDetected) {
   auto random = seed_.engine();
   const Bytes bytes = read_bytes(path_);
   for (std::size_t at = 0; at < bytes.size(); ++at) {
-    set_byte(at, static_cast<std::uint8_t>(bytes[at] ^ (1U << (random() % 8))));
-    ASSERT_TRUE(refused(path_)) << "byte " << at << " of " << bytes.size();
+    const std::uint64_t any = random() % 8;
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      if (at >= sizeof(Prelude) && bit != any) continue;
+      set_byte(at, static_cast<std::uint8_t>(bytes[at] ^ (1U << bit)));
+      ASSERT_TRUE(refused(path_)) << "bit " << bit << " of byte " << at << " of " << bytes.size();
+    }
     set_byte(at, bytes[at]);
   }
   EXPECT_NO_THROW(GetParam().open(path_));
