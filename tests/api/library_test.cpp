@@ -384,12 +384,6 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   EXPECT_EQ(some.normal, all.normal);
 }
 
-TEST_F(Library, WithoutAGridTheFastestIsBuilt) {
-  prepare(random_mesh(engine_, 300));
-  const std::vector<masu_ray> rays = random_rays(engine_, 2000);
-  EXPECT_TRUE(found_by(opened(), rays) == found_by(masu::Tracer(*scene_), rays));
-}
-
 // Whichever way the handles are freed.
 TEST_F(Library, ATracerKeepsWhatItUses) {
   const Mesh mesh = random_mesh(engine_, 300);
