@@ -66,8 +66,6 @@ TEST_F(HierarchyTool, ItsQualityIsToldAndMakesTheSameBytesForAnyNumberOfThreads)
   EXPECT_TRUE(read_bytes(one) == read_bytes(fast("three.grid", "3")));
   EXPECT_EQ(json_of("gridstat", {one})["merge_rule"], "bvh fast");
   EXPECT_EQ(json_of("gridstat", {hierarchy_})["merge_rule"], "bvh");
-  EXPECT_TRUE(fails(1, "gridbuild", {scene_, "-o", file("c.grid"), "--merge", "x", "--quality", "fast"},
-                    "--quality"));
 }
 
 TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {
@@ -77,10 +75,10 @@ TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {
 }
 
 TEST_F(HierarchyTool, WhatNeedsCellsIsRefused) {
-  EXPECT_TRUE(fails(1, "gridstat", {hierarchy_, "--slice", "z=50%", "--color", "volume", "-o", file("a.svg")},
-                    "--color", "a hierarchy has none"));
-  EXPECT_TRUE(fails(1, "gridstat", {hierarchy_, "--cells", file("a.ply"), "--expanded"}, "--expanded",
-                    "a hierarchy has none"));
+  expect_refused(1, R"(
+gridstat ~/b.grid --slice z=50% --color volume -o ~/a.svg > --color: a hierarchy has none
+gridstat ~/b.grid --cells ~/a.ply --expanded              > --expanded: a hierarchy has none
+)");
 }
 
 // [first u, first v, end u, end v, references, depth, voxels, number] in shares of the space.

@@ -6,7 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 
 extern char** environ;
@@ -47,6 +49,18 @@ Spawned spawn(const std::string& tool, const Arguments& arguments, const Surroun
   posix_spawn_file_actions_destroy(&actions);
   EXPECT_EQ(spawned.error, 0) << path << " can't be started: " << std::strerror(spawned.error);
   return spawned;
+}
+
+// A row for each choice of [a|b].
+std::vector<std::string> expanded(const std::string& row) {
+  const std::size_t open = row.find('['), close = row.find(']', open);
+  if (open == std::string::npos) return {row};
+  std::vector<std::string> all;
+  std::istringstream choices(row.substr(open + 1, close - open - 1));
+  for (std::string choice; std::getline(choices, choice, '|');)
+    for (const std::string& rest : expanded(row.substr(close + 1)))
+      all.push_back(row.substr(0, open) + choice + rest);
+  return all;
 }
 
 } // namespace
@@ -147,6 +161,35 @@ nlohmann::json ToolTest::json_in(const std::string& name) const {
 nlohmann::json SmallSceneTest::stats_of(const Arguments& more) const {
   render(joined({"--stats", file("stats.json")}, more));
   return json_in("stats.json");
+}
+
+void ToolTest::expect_refused(int code, std::string_view commands, const Surroundings& surroundings) const {
+  const auto with_folder = [&](std::string text) {
+    const std::size_t at = text.find('~');
+    return at == std::string::npos ? text : text.replace(at, 1, folder_.path().string());
+  };
+  std::istringstream table{std::string(commands)};
+  for (std::string row; std::getline(table, row);) {
+    for (const std::string& line : expanded(row)) {
+      std::istringstream command(line.substr(0, line.find(" > ")));
+      Arguments words{std::istream_iterator<std::string>(command), {}};
+      if (words.empty()) continue;
+      for (std::string& word : words) {
+        std::ranges::replace(word, '_', ' ');
+        word = with_folder(word);
+      }
+      std::string place = "command line", says;
+      if (const std::size_t end = line.find(" > "); end != std::string::npos) {
+        const std::size_t colon = line.find(": ", end);
+        place = with_folder(line.substr(end + 3, colon - end - 3));
+        if (colon != std::string::npos) says = line.substr(colon + 2);
+      }
+      const auto is_option = [](const std::string& word) { return word.starts_with("--"); };
+      if (place == "@") place = words.back();
+      if (place == "@option") place = *std::ranges::find_if(words.rbegin(), words.rend(), is_option);
+      EXPECT_TRUE(fails(code, words[0], {words.begin() + 1, words.end()}, place, says, surroundings)) << line;
+    }
+  }
 }
 
 testing::AssertionResult ToolTest::fails(int code, const std::string& tool, const Arguments& arguments,

@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <sys/types.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <sstream>
@@ -77,6 +78,18 @@ Csv<Number> read_csv(const std::string& path) {
   return csv;
 }
 
+// An array's header, and the bytes after it.
+struct Npy {
+  std::string head;
+  Bytes values;
+};
+inline Npy read_npy(const std::string& path) {
+  const Bytes bytes = read_bytes(path);
+  const auto end = std::ranges::find(bytes, '\n') + 1;
+  EXPECT_EQ((end - bytes.begin()) % 64, 0) << path;
+  return {{bytes.begin(), end}, {end, bytes.end()}};
+}
+
 // A test with a temporary folder for files. What fails says how to repeat it with the same random numbers.
 class ToolTest : public testing::Test {
 protected:
@@ -98,6 +111,12 @@ protected:
   testing::AssertionResult fails(int code, const std::string& tool, const Arguments& arguments,
                                  const std::string& place, const std::string& says = "",
                                  const Surroundings& surroundings = {}) const;
+
+  // Runs a table of commands, which must fail with that exit code. A row is a command, and after ` > ` the
+  // place that the error names (`command line` without) and what it says: `nff2bin ~/a -o ~/b > ~/a: No such
+  // file`. [a|b] stands for a row with a and one with b, ~ for the test's folder, _ for a space, and at the
+  // place @ for the last argument, @option for the last option.
+  void expect_refused(int code, std::string_view commands, const Surroundings& surroundings = {}) const;
 
   const TemporaryFolder folder_;
   const RandomSeed seed_;

@@ -228,18 +228,7 @@ TEST_F(Tradeoff, Float64ScenesAreTracedInDoubleOnly) {
   EXPECT_TRUE(failed(measured_few({"--precisions", "fast"}), 1, "gridbench", "precision", "float64"));
 }
 
-TEST_F(Tradeoff, InvalidArgumentsAreRefused) {
-  const auto refused = [&](const Arguments& more, const std::string& place) {
-    EXPECT_TRUE(failed(measured_few(more), 1, "gridbench", place));
-    EXPECT_FALSE(std::filesystem::exists(folder()));
-  };
-  refused({"--divisions", "0"}, "division");
-  refused({"--curve", "many"}, "division");
-  refused({"--precisions", "quick"}, "command line");
-  refused({"--seed", "1", scene_}, scene_); // the same scene twice
-  refused({"--charts-only"}, "--charts-only");
-  EXPECT_TRUE(fails(1, "gridbench", {"tradeoff", scene_, "-o", folder(), "--size", "24"}, "--size"));
-  EXPECT_TRUE(fails(1, "gridbench", {"tradeoff", "-o", folder()}, "SCENE"));
+TEST_F(Tradeoff, ChartsOfNoFileAreRefused) {
   EXPECT_TRUE(fails(2, "gridbench", {"tradeoff", "-o", folder(), "--charts-only"}, csv()));
 }
 
