@@ -20,7 +20,32 @@
 namespace masu {
 namespace {
 
-// Writes into a file in place, until it is destroyed, at random: its own bytes, noise, or fewer bytes.
+enum class Change { truncate, noise, replace };
+
+// Changes a file: cuts it short, overwrites parts of it in place, or puts a copy in its place by renaming.
+void change(const std::string& path, const Bytes& original, Change how, std::mt19937_64& random) {
+  if (how == Change::replace) {
+    write_bytes(path + ".new", original);
+    std::filesystem::rename(path + ".new", path);
+    return;
+  }
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(file, 0);
+  if (how == Change::truncate) {
+    EXPECT_EQ(ftruncate(file, static_cast<off_t>(random() % original.size())), 0);
+  } else {
+    Bytes noise(1 + random() % 4096);
+    for (int piece = 0; piece < 16; ++piece) {
+      for (std::uint8_t& byte : noise)
+        byte = static_cast<std::uint8_t>(random());
+      const std::size_t at = random() % original.size(), bytes = std::min(noise.size(), original.size() - at);
+      EXPECT_EQ(pwrite(file, noise.data(), bytes, static_cast<off_t>(at)), static_cast<ssize_t>(bytes));
+    }
+  }
+  close(file);
+}
+
+// Writes into a file, until it is destroyed, at random: its own bytes, noise, or fewer bytes.
 class Scribbler {
 public:
   Scribbler(std::string path, std::uint64_t seed)
@@ -36,25 +61,11 @@ public:
 private:
   void scribble(std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    const int file = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    ASSERT_GE(file, 0);
     while (!stopping_) {
-      Bytes bytes = original_;
-      const auto size = static_cast<off_t>(bytes.size());
-      switch (random() % 4) {
-      case 0:
-        EXPECT_EQ(ftruncate(file, static_cast<off_t>(random() % bytes.size())), 0);
-        break;
-      case 1:
-        for (int i = 0; i < 64; ++i)
-          bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
-        [[fallthrough]];
-      default: // mostly whole
-        EXPECT_EQ(pwrite(file, bytes.data(), bytes.size(), 0), size);
-      }
+      const auto how = random() % 4;
+      how < 2 ? change(path_, original_, static_cast<Change>(how), random) : write_bytes(path_, original_);
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 3000));
     }
-    close(file);
   }
 
   std::string path_;
@@ -84,14 +95,6 @@ protected:
   }
 };
 
-TEST_F(ChangingFiles, SceneAndGridOfGridrender) {
-  const std::string in = scene("a.scene", spd("a.nff", "balls", 3)), divided = grid("a.grid", in);
-  for (const std::string& changing : {in, divided})
-    expect_right_or_refused(changing, "gridrender",
-                            {in, divided, "-o", file("a.pfm"), "--size", "64x64", "--backend", "cpu", "-q"},
-                            file("a.pfm"));
-}
-
 TEST_F(ChangingFiles, SceneOfGridbuild) {
   const std::string in = scene("a.scene", spd("a.nff", "balls", 3));
   expect_right_or_refused(in, "gridbuild", {in, "-o", file("a.grid"), "--division", "16", "-q"},
@@ -113,31 +116,6 @@ TEST_F(ChangingFiles, TextOfNff2bin) {
 }
 
 // --- Files that are in use --------------------------------------------------------------------------------
-
-enum class Change { truncate, noise, replace };
-
-// Changes a file: cuts it short, overwrites parts of it in place, or puts a copy in its place by renaming.
-void change(const std::string& path, const Bytes& original, Change how, std::mt19937_64& random) {
-  if (how == Change::replace) {
-    write_bytes(path + ".new", original);
-    std::filesystem::rename(path + ".new", path);
-    return;
-  }
-  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  ASSERT_GE(file, 0);
-  if (how == Change::truncate) {
-    EXPECT_EQ(ftruncate(file, static_cast<off_t>(random() % original.size())), 0);
-  } else {
-    Bytes noise(1 + random() % 4096);
-    for (int piece = 0; piece < 16; ++piece) {
-      for (std::uint8_t& byte : noise)
-        byte = static_cast<std::uint8_t>(random());
-      const std::size_t at = random() % original.size(), bytes = std::min(noise.size(), original.size() - at);
-      EXPECT_EQ(pwrite(file, noise.data(), bytes, static_cast<off_t>(at)), static_cast<ssize_t>(bytes));
-    }
-  }
-  close(file);
-}
 
 class FilesInUse : public ToolTest,
                    public testing::WithParamInterface<std::tuple<const char*, const char*>> {};
@@ -212,8 +190,7 @@ TEST_F(ChangingFiles, AreMappedWhileACpuTracesThem) {
   EXPECT_EQ(waitpid(process, nullptr, 0), process);
 }
 
-// --- Inputs that aren't files, or don't end
-// -----------------------------------------------------------------
+// --- Inputs that aren't files, or don't end ----------------------------------------------------------------
 
 TEST_F(ChangingFiles, PipesWithoutAWriterAndEndlessDevicesAreRefused) {
   const std::string pipe = file("pipe"), in = scene("a.scene", nff("a.nff", small_nff)),

@@ -70,6 +70,7 @@ protected:
   }
   // A chunk and a part of one, as text, of lines of different lengths and blank ones.
   void write_csv_rays() const {
+    if (std::filesystem::exists(file("rays.csv"))) return;
     std::string text = "ox,oy,oz,dx,dy,dz\n\n";
     for (std::size_t i = 0; i < (std::size_t{1} << 20) + 1000; ++i)
       text += fmt::format("{},{},3,0.125,{},-1\n{}", static_cast<double>(i % 1000) / 250 - 2,
@@ -78,6 +79,7 @@ protected:
     write_text(file("rays.csv"), text);
   }
   Job csv_list(const std::string& prefix) const {
+    write_csv_rays();
     return {on_cpu({file("rays.csv"), "-o", file(prefix + ".csv")}), {prefix + ".csv"}, "gridtrace"};
   }
   std::vector<Job> all(const std::string& prefix) const {
@@ -86,7 +88,8 @@ protected:
             large(prefix + "2", "pfm", "corners"),
             large(prefix + "3", "png", "centers"),
             list(prefix + "4", ".hits"),
-            list(prefix + "5", ".npy")};
+            list(prefix + "5", ".npy"),
+            csv_list(prefix + "6")};
   }
 
   void expect_made(const Job& job, const Arguments& more = {}) const {
@@ -203,15 +206,6 @@ void SharedRuns::resume_killed(int runs, std::mt19937_64& random, const SecondsO
   RecordProperty("killed", killed.runs);
   RecordProperty("hung", killed.hung);
   fmt::print("killed {} times, of which {} had to be killed as a whole\n", killed.runs, killed.hung);
-}
-
-TEST_F(SharedRuns, AResumedRunIsTheSameAsAnUndisturbedOne) {
-  for (std::size_t i = 0; i < all("x").size(); ++i) {
-    const Job expected = all("a")[i], resumed = all("b")[i];
-    expect_made(expected);
-    expect_made(resumed, {"--resume"});
-    expect_same(resumed, expected);
-  }
 }
 
 TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
@@ -518,30 +512,6 @@ TEST_F(SharedRuns, InputsAreNoPartialFilesNorJournals) {
   EXPECT_TRUE(fails(1, "gridrender", twice, file("b.png.partial"), "twice"));
 }
 
-// --- Text -------------------------------------------------------------------------------------------------
-
-// Of two chunks of rays; where they begin is found out by rank 0.
-TEST_F(SharedRuns, ListsOfTextAreResumedToo) {
-  write_csv_rays();
-  const Job expected = csv_list("a"), resumed = csv_list("b");
-  expect_made(expected);
-  ASSERT_EQ(run_up_to(30'000'000, resumed).code, 3);
-  EXPECT_EQ(Journal(file("b.csv.journal.0")).lines.size(), 1U);
-  expect_made(resumed, {"--resume"});
-  expect_same(resumed, expected);
-}
-
-TEST_F(SharedRuns, WhatCannotBeResumedIsRefused) {
-  const auto refused = [&](const std::string& tool, const Arguments& more, const std::string& place) {
-    return failed(run(tool, joined({scene_, grid_, "--backend", "cpu", "--resume"}, more)), 1, tool, place);
-  };
-  EXPECT_TRUE(refused("gridrender", {"--stats", file("s")}, "--resume"));
-  EXPECT_TRUE(refused("gridrender", {"-o", "-"}, "-"));
-  EXPECT_TRUE(refused("gridrender", {"-o", "/dev/null", "--format", "png"}, "/dev/null"));
-  EXPECT_TRUE(refused("gridtrace", {"-", "-o", file("h")}, "RAYS"));
-  EXPECT_TRUE(refused("gridtrace", {file("rays"), "--stats", file("s")}, "--resume"));
-}
-
 #ifdef MASU_MPIRUN
 
 class MpiRuns : public SharedRuns {
@@ -649,14 +619,6 @@ TEST_F(MpiRuns, AnErrorIsOneLineAndItsExitCode) {
   refused(2, {scene_, file("missing"), "-o", file("a.png"), "--backend", "cpu"}, file("missing"));
   refused(3, {scene_, grid_, "-o", file("missing/a.png"), "--backend", "cpu"}, file("missing/a.png"));
   refused(1, {scene_, grid_, "-o", "-", "--backend", "cpu"}, "-");
-}
-
-TEST_F(MpiRuns, ListsOfTextAreSharedToo) {
-  write_csv_rays();
-  const Job expected = csv_list("a"), shared = csv_list("b");
-  expect_made(expected);
-  expect_run(MASU_MPIRUN, by(2, shared));
-  expect_same(shared, expected);
 }
 
 // Without what MPI starts its processes by, and by mpirun once.

@@ -70,13 +70,6 @@ TEST_F(SliceTool, AnSvgIsWellFormedXmlWhateverItsTitle) {
   EXPECT_NE(read_text(file("s.svg")).find("\\xff\\xc0"), std::string::npos); // bytes that aren't UTF-8
 }
 
-std::size_t count_of(const std::string& part, const std::string& text) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++count;
-  return count;
-}
-
 // Labels are outlines of letters in an SVG: what they say is in its title and description, too.
 TEST_F(SliceTool, APictureNamesAxesPlaneAndLegend) {
   const std::string path = grid("a.grid", scene_, "6");
@@ -109,18 +102,6 @@ TEST_F(SliceTool, SlicesOfDifferentGridsHaveTheScaleThatIsAskedFor) {
   }
 }
 
-TEST_F(SliceTool, EveryLetterOfATitleIsDrawn) {
-  const std::string path = grid("a.grid", scene_, "6");
-  const auto glyphs = [&](const std::string& title) {
-    expect_run("gridstat", {path, "--slice", "z=2", "--title", title, "-o", file("s.svg")});
-    return count_of("<use ", read_text(file("s.svg")));
-  };
-  const std::size_t one = glyphs("a");
-  EXPECT_GE(one, std::string("auniformgrid,6x6x6voxelsx(sceneunits)y(sceneunits)referencesempty").size());
-  EXPECT_EQ(glyphs("abc\xc3\xa9\xe2\x88\x92"), one + 4);
-  EXPECT_EQ(glyphs(std::string(300, 'm')), one + 299); // however long
-}
-
 TEST_F(SliceTool, WithoutFontsAPictureHasNoText) {
   const std::string path = grid("a.grid", scene_, "6");
   write_text(file("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
@@ -129,10 +110,10 @@ TEST_F(SliceTool, WithoutFontsAPictureHasNoText) {
   for (const std::string name : {"s.svg", "s.png"}) {
     const ToolResult result = run("gridstat", {path, "--slice", "z=2", "-o", file(name)}, surroundings);
     EXPECT_EQ(result.code, 0);
-    EXPECT_EQ(count_of("\n", result.err), 1U) << result.err;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
     EXPECT_NE(result.err.find("no font was found"), std::string::npos) << result.err;
   }
-  EXPECT_EQ(count_of("<use ", read_text(file("s.svg"))), 0U);
+  EXPECT_EQ(read_text(file("s.svg")).find("<use "), std::string::npos);
   EXPECT_GT(decoded_png(file("s.png")).width, 640U);
 }
 
@@ -217,37 +198,17 @@ TEST_F(SliceTool, PngAndSvgHaveTheSameSizeAndGrowWithIt) {
   }
 }
 
-TEST_F(SliceTool, JsonCellsTileTheLayer) {
-  for (const std::string& merge : merges) {
-    const std::string path = grid("a.grid", scene_, "7", {"--merge", merge});
-    for (const char* const plane : {"x=50%", "y=0", "z=100%", "z@0.01"}) {
-      const Json slice = json_slice(path, {"--slice", plane, "--outline", scene_});
-      std::int64_t area = 0;
-      for (const Json& cell : slice["cells"])
-        area += (cell[2].get<std::int64_t>() - cell[0].get<std::int64_t>()) *
-                (cell[3].get<std::int64_t>() - cell[1].get<std::int64_t>());
-      EXPECT_EQ(area, slice["voxels"][0].get<std::int64_t>() * slice["voxels"][1].get<std::int64_t>());
-    }
-    const Json through_middle = json_slice(path, {"--slice", "z@0", "--outline", scene_});
-    EXPECT_GE(through_middle["outline"].size(), 100U);
-    EXPECT_TRUE(json_slice(path, {"--slice", "z@0"})["outline"].empty());
-  }
-}
-
-TEST_F(SliceTool, AWindowHasFewerCellsAndFitsItsLegend) {
+// tests/grid/slice_test.cpp has which cells they are.
+TEST_F(SliceTool, JsonHasTheOutlineAndTheWindowAskedFor) {
   const std::string path = grid("a.grid", scene_, "16");
+  EXPECT_GE(json_slice(path, {"--slice", "z@0", "--outline", scene_})["outline"].size(), 100U);
   const Json all = json_slice(path, {"--slice", "z@0"});
+  EXPECT_TRUE(all["outline"].empty());
   const Json some = json_slice(path, {"--slice", "z@0", "--window", "-0.5,-0.5,0.5,1000"});
   EXPECT_LT(some["cells"].size(), all["cells"].size());
   EXPECT_GT(some["cells"].size(), 0U);
   EXPECT_EQ(some["window"]["max"][1], all["window"]["max"][1]); // cut to the space
   EXPECT_EQ(some["window"]["min"][0], -0.5);
-}
-
-TEST_F(SliceTool, AnOutlineOfAnotherGeometryIsRefused) {
-  const std::string path = grid("a.grid", scene_, "4"), other = scene("b.scene", nff("b.nff", small_nff));
-  EXPECT_TRUE(
-      fails(2, "gridstat", {path, "--slice", "z=0", "--outline", other, "-o", file("new.png")}, path));
 }
 
 TEST_F(SliceTool, ExportedCellsAreThoseOfTheGrid) {
