@@ -337,6 +337,17 @@ bool hit(const Case<Real, Primitive>& c, Real& t) {
   return met;
 }
 
+// Expects what was found to be what the oracle says; t may be off by `rounding`. what(): of the message.
+template <class Real, class What>
+void expect_agreement(const oracle::Expected& expected, bool met, Real t, oracle::Wide rounding,
+                      const What& what) {
+  const bool is_hit = expected.result == oracle::Result::hit;
+  EXPECT_TRUE(met == is_hit && (!met || (t >= expected.low - rounding && t <= expected.high + rounding)))
+      << what() << ": " << (met ? "met at " + described(t) : "missed") << ", expected "
+      << (is_hit ? "a hit between " : "a miss ") << static_cast<double>(expected.low) << " and "
+      << static_cast<double>(expected.high);
+}
+
 // A scene's scale: small, or as large as the scene file allows.
 template <class Real>
 double unusual_scale(Chance& chance) {
@@ -348,9 +359,11 @@ double unusual_scale(Chance& chance) {
 }
 
 // The type parameters of tests: every kind of primitive.
-template <class Real_, template <class> class Primitive>
+template <class Real_, template <class> class Primitive_>
 struct Kind {
   using Real = Real_;
+  template <class T>
+  using Primitive = Primitive_<T>;
   static auto random(Chance& chance) {
     return random_case<Real, Primitive>(chance, chance.power_of_two(-10, 20));
   }

@@ -245,35 +245,18 @@ Cone<double> random_cone(Chance& chance, const GridLayout& layout, double scale)
   return cone;
 }
 
-template <class Real, template <class> class Primitive>
-struct Kind {
-  static auto random(Chance& chance, const GridLayout& layout, double scale) {
-    if constexpr (std::is_same_v<Primitive<Real>, Triangle<Real>>) {
-      return random_triangle<Real>(chance, layout, scale);
-    } else if constexpr (std::is_same_v<Primitive<Real>, Sphere<Real>>) {
-      return random_sphere<Real>(chance, layout, scale);
-    } else {
-      return random_cone<Real>(chance, layout, scale);
-    }
+template <class K>
+auto random_primitive(Chance& chance, const GridLayout& layout, double scale) {
+  using Real = typename K::Real;
+  using Primitive = typename K::template Primitive<Real>;
+  if constexpr (std::is_same_v<Primitive, Triangle<Real>>) {
+    return random_triangle<Real>(chance, layout, scale);
+  } else if constexpr (std::is_same_v<Primitive, Sphere<Real>>) {
+    return random_sphere<Real>(chance, layout, scale);
+  } else {
+    return random_cone<Real>(chance, layout, scale);
   }
-  static GridLayout layout(Chance& chance, double scale, int finest) {
-    return random_layout<Real>(chance, scale, finest);
-  }
-  static auto moved(Primitive<double> primitive, const Vec3d& by) {
-    with_points(primitive, [&](auto&... points) { ((points = kept<Real>(points + by)), ...); });
-    return primitive;
-  }
-};
-using Kinds = testing::Types<Kind<float, Triangle>, Kind<double, Triangle>, Kind<float, Sphere>,
-                             Kind<double, Sphere>, Kind<float, Cone>, Kind<double, Cone>>;
-struct KindNames {
-  template <class K>
-  static std::string GetName(int number) {
-    constexpr std::array names{"triangle_float", "triangle_double", "sphere_float",
-                               "sphere_double",  "cone_float",      "cone_double"};
-    return names[static_cast<std::size_t>(number)];
-  }
-};
+}
 
 template <class K>
 class Overlaps : public RandomTest {};
@@ -318,8 +301,8 @@ TYPED_TEST(Overlaps, EveryVoxelNearASampledPointOfTheSurfaceIsListed) {
   Chance& chance = this->chance_;
   for (std::int64_t i = cases(1500); i > 0 && !this->HasFailure(); --i) {
     const double scale = std::exp2(chance.whole(-10, 20));
-    const GridLayout layout = TypeParam::layout(chance, scale, 48);
-    const auto primitive = TypeParam::random(chance, layout, scale);
+    const GridLayout layout = random_layout<typename TypeParam::Real>(chance, scale, 48);
+    const auto primitive = random_primitive<TypeParam>(chance, layout, scale);
     const Listing exact(layout, Overlap::exact, primitive), box(layout, Overlap::box, primitive);
     ASSERT_TRUE(exact.each_once() && box.each_once()) << described(primitive) << described(layout);
     ASSERT_TRUE(exact.inside() && box.inside()) << described(primitive) << described(layout);
@@ -334,10 +317,13 @@ TYPED_TEST(Overlaps, WhatTouchesACornerIsListedAllRound) {
   Chance& chance = this->chance_;
   for (std::int64_t i = cases(40'000); i > 0 && !this->HasFailure(); --i) {
     const double scale = std::exp2(chance.whole(-10, 20));
-    const GridLayout layout = TypeParam::layout(chance, scale, 16);
-    const auto start = TypeParam::random(chance, layout, scale / 4);
+    const GridLayout layout = random_layout<typename TypeParam::Real>(chance, scale, 16);
+    const auto start = random_primitive<TypeParam>(chance, layout, scale / 4);
     const Vec3d corner = inner_corner(chance, layout);
-    const auto primitive = TypeParam::moved(start, corner - on_surface(chance, start).at);
+    const Vec3d by = corner - on_surface(chance, start).at;
+    auto primitive = start;
+    with_points(primitive,
+                [&](auto&... points) { ((points = kept<typename TypeParam::Real>(points + by)), ...); });
     if (!has_surface(primitive)) continue; // a point once it is rounded
     const Listing exact(layout, Overlap::exact, primitive);
     expect_listed_near(corner, primitive, layout, exact, needed(layout, scale));
@@ -374,8 +360,8 @@ TYPED_TEST(Overlaps, TheExactTestListsWhatTheOracleDoes) {
   Chance& chance = this->chance_;
   for (std::int64_t i = cases(2000); i > 0 && !this->HasFailure(); --i) {
     const double scale = std::exp2(chance.whole(-10, 20));
-    const GridLayout layout = TypeParam::layout(chance, scale, 12);
-    const auto primitive = TypeParam::random(chance, layout, scale);
+    const GridLayout layout = random_layout<typename TypeParam::Real>(chance, scale, 12);
+    const auto primitive = random_primitive<TypeParam>(chance, layout, scale);
     const Listing exact(layout, Overlap::exact, primitive);
     for_each_voxel({{0, 0, 0}, layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
       const WideBox box = voxel_box(layout, voxel);
