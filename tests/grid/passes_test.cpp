@@ -78,13 +78,10 @@ TYPED_TEST(MovedTriangles, AreTheSameByAnyExecutor) {
     const auto there = moved_triangles(executor, scene.view(), moved, nullptr, 0);
     EXPECT_EQ(here.bounds.min, there.bounds.min);
     EXPECT_EQ(here.bounds.max, there.bounds.max);
-    ASSERT_EQ(here.triangles.size(), there.triangles.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto &a = here.triangles[i], &b = there.triangles[i];
-      ASSERT_TRUE(a.a == b.a && a.b == b.b && a.c == b.c && a.object == b.object) << i;
-      for (const auto& corner : {a.a, a.b, a.c})
-        ASSERT_TRUE(contains(here.bounds, cast<double>(corner))) << i;
-    }
+    ASSERT_TRUE(same_values(here.triangles, there.triangles));
+    for (const auto& triangle : here.triangles)
+      for (const auto& corner : {triangle.a, triangle.b, triangle.c})
+        ASSERT_TRUE(contains(here.bounds, cast<double>(corner)));
     // All but the last are referred to.
     std::vector<PrimitiveIndex> listed(count + 1);
     std::iota(listed.begin(), listed.end(), PrimitiveIndex{0});

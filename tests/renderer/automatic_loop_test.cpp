@@ -11,8 +11,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
-#include <thread>
 
 namespace masu {
 namespace {
@@ -175,22 +173,6 @@ TEST(UsualLoops, MayBeAskedForByTasksWhileTheyAreFoundOut) {
         },
         tbb::simple_partitioner());
   }
-}
-
-TEST(UsualLoops, AreTheSameForAllThreadsThatAskAtOnce) {
-  const Rendering rendering(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1");
-  UsualLoops loops;
-  std::vector<std::thread> threads;
-  std::array<std::array<RayLoop, 2>, 8> found{};
-  for (auto& pair : found)
-    threads.emplace_back([&] {
-      for (const bool coherent : {false, true})
-        pair[coherent ? 1 : 0] = usual_loop(loops, rendering, coherent);
-    });
-  for (std::thread& thread : threads)
-    thread.join();
-  for (const auto& pair : found)
-    EXPECT_EQ(pair, (std::array{RayLoop::warp_refill, RayLoop::thread_per_ray}));
 }
 
 } // namespace

@@ -22,38 +22,11 @@ protected:
     write_text(file(name), text);
     return file(name);
   }
-  // The t of the hits of a list of rays; the records also hold the object.
-  std::vector<float> distances(const std::string& name, const std::string& scene) const {
-    const std::string rays = file("rays"), hits = file("hits");
-    std::vector<float> list;
-    for (int i = 0; i < 32; ++i)
-      for (int j = 0; j < 32; ++j)
-        list.insert(list.end(),
-                    {static_cast<float>(i) / 8 - 2, static_cast<float>(j) / 8 - 2, 5, 0.125F, 0.25F, -1});
-    write_records(rays, list);
-    EXPECT_TRUE(
-        succeeded(run("gridtrace", {scene, grid(name, scene), "--backend", "cpu", rays, "-o", hits})));
-    const auto numbers = read_records<std::array<float, 2>>(hits);
-    std::vector<float> result;
-    for (const auto& [t, object] : numbers)
-      result.push_back(t);
-    return result;
-  }
 };
 
-constexpr std::string_view polygons_nff =
-    "p 5\n-1.5 -1.25 0\n1.5 -1.5 0.25\n0.25 0 0\n1.5 1.75 -0.25\n-1.25 1.5 0\np 3\n0 0 1\n1 0 1.5\n0 1 1\n";
 constexpr std::string_view polygons_obj = "v -1.5 -1.25 0\nv 1.5 -1.5 0.25\nv 0.25 0 0\nv 1.5 1.75 -0.25\nv "
                                           "-1.25 1.5 0\nv 0 0 1\nv 1 0 1.5\nv 0 1 1\n"
                                           "f 1 2 3 4 5\nf 6 7 8\n";
-
-TEST_F(Mesh2bin, AnObjHasTheSameHitsAsTheSamePolygonsInNff) {
-  const std::string obj = mesh("a.obj", polygons_obj), converted = file("obj.scene");
-  ASSERT_TRUE(succeeded(run("mesh2bin", {obj, "-o", converted})));
-  const std::vector<float> expected = distances("nff.grid", scene("nff.scene", nff("a.nff", polygons_nff)));
-  EXPECT_EQ(distances("obj.grid", converted), expected);
-  EXPECT_EQ(expected.size(), 1024U);
-}
 
 TEST_F(Mesh2bin, WarnsOfWhatItLeavesOut) {
   const std::string obj = mesh("a.obj", std::string(polygons_obj) + "l 1 2\n");
