@@ -22,9 +22,8 @@ TEST_P(StabilityOnGpu, RobustAndDoubleHitsEqualTheCpus) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sweeps, StabilityOnGpu, testing::ValuesIn(all_sweeps()), [](const auto& test) {
-  std::string name;
-  for (const char c : std::string(test.param.name))
-    if (c != '-') name += c;
+  std::string name = test.param.name;
+  std::erase(name, '-');
   return name;
 });
 

@@ -14,10 +14,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <bit>
 #include <functional>
-#include <numbers>
 
 namespace masu {
 namespace {

@@ -85,9 +85,8 @@ INSTANTIATE_TEST_SUITE_P(Sweeps, PictureStability, testing::ValuesIn(picture_swe
                          [](const auto& test) { return std::string(test.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Sweeps, Stability, testing::ValuesIn(all_sweeps()), [](const auto& test) {
-  std::string name;
-  for (const char c : std::string(test.param.name))
-    if (c != '-') name += c;
+  std::string name = test.param.name;
+  std::erase(name, '-');
   return name;
 });
 
