@@ -5,20 +5,19 @@
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool("gridbench", "Measures the speed and accuracy of tracing, and the speed of loading.", argc,
-                  argv, [](CLI::App& app, const auto& parse) {
-                    add_frame(app);
-                    add_rays(app);
-                    add_lists(app);
-                    add_scale(app);
-                    add_load(app);
-                    add_refit(app);
-                    add_tradeoff(app);
-                    add_stability(app);
-                    add_oracle(app);
-                    add_crossings(app);
-                    add_difference(app);
-                    app.require_subcommand(1);
-                    app.footer("Example:\n  gridbench rays balls.scene balls.grid");
+                  argv, [](const CommandLine& command, const auto& parse) {
+                    add_frame(command);
+                    add_rays(command);
+                    add_lists(command);
+                    add_scale(command);
+                    add_load(command);
+                    add_refit(command);
+                    add_tradeoff(command);
+                    add_stability(command);
+                    add_oracle(command);
+                    add_crossings(command);
+                    add_difference(command);
+                    command.footer("Example:\n  gridbench rays balls.scene balls.grid");
                     parse();
                   });
 }

@@ -142,70 +142,72 @@ int main(int argc, char** argv) {
       "  heterogeneous:D  D * w * cbrt(N / V) per axis\n"
       "  cleary:L       L * N voxels of equal sides\n"
       "  auto           by a cost model, and a sample of rays through some divisions",
-      argc, argv, [](CLI::App& app, const auto& parse) {
+      argc, argv, [](const CommandLine& command, const auto& parse) {
         Settings settings;
-        app.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
-        app.add_option("SCENE", settings.scene, "scene file, from nff2bin or mesh2bin")->required();
-        group_options(app, "Output");
-        add_file(app, "-o,--output", settings.output, "grid file")->required();
-        app.add_flag("--record-seconds", settings.record_seconds,
-                     "write the build's seconds into the file (equal builds then differ)");
-        app.add_flag("--json", settings.json, "report as JSON");
-        group_options(app, "Voxels");
-        app.add_option("--division", settings.division, "voxels per axis, by a division rule")
-            ->type_name("RULE")
-            ->capture_default_str();
-        add_choice(
-            app, "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
+        command.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
+        command.add_option("SCENE", settings.scene, "scene file, from nff2bin or mesh2bin").required();
+        command.group("Output");
+        command.add_file("-o,--output", settings.output, "grid file").required();
+        command.add_flag("--record-seconds", settings.record_seconds,
+                         "write the build's seconds into the file (equal builds then differ)");
+        command.add_flag("--json", settings.json, "report as JSON");
+        command.group("Voxels");
+        command.add_option("--division", settings.division, "voxels per axis, by a division rule")
+            .type_name("RULE")
+            .shows_default();
+        command.add_choice(
+            "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
             "what is divided: tight (the objects' bounds) or cube (the smallest about the local origin)");
-        add_choice(
-            app, "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
+        command.add_choice(
+            "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
-        group_options(app, "Cells");
-        add_choice(
-            app, "--structure", settings.structure,
+        command.group("Cells");
+        command.add_choice(
+            "--structure", settings.structure,
             {{"grid", StructureChoice::grid},
              {"bvh", StructureChoice::hierarchy},
              {"fastest", StructureChoice::fastest}},
             "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest "
             "(whichever of both a sample of rays is expected to take the least time through; a grid if "
             "--merge or --division is given)");
-        add_choice(app, "--quality", settings.options.grid.quality,
-                   {{"high", HierarchyQuality::high}, {"fast", HierarchyQuality::fast}},
-                   "of a hierarchy: high (primitives are divided where boxes would overlap) or fast "
-                   "(in a third of the time, also on a GPU)");
-        add_choice(
-            app, "--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
+        command.add_choice("--quality", settings.options.grid.quality,
+                           {{"high", HierarchyQuality::high}, {"fast", HierarchyQuality::fast}},
+                           "of a hierarchy: high (primitives are divided where boxes would overlap) or fast "
+                           "(in a third of the time, also on a GPU)");
+        command.add_choice(
+            "--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
             "the processor that will trace: what the automatic choices (--structure fastest, --merge auto, "
             "--division auto) count a step and a test by");
-        add_choice(app, "--merge", settings.options.grid.kind,
-                   {{"auto", GridKind::automatic},
-                    {"none", GridKind::uniform},
-                    {"x", GridKind::x},
-                    {"balance", GridKind::balance},
-                    {"irregular", GridKind::irregular}},
-                   "which voxels share a cell: auto (none where a division is given; else none or irregular, "
-                   "whichever a sample of rays is expected to take less time through), none, x (empty ones "
-                   "in a run along x), balance (as many as list "
-                   "--target primitives), irregular (voxels are divided further, by expected cost)");
-        add_number(app, "--target", settings.options.grid.target, 1U, 1U << 20,
-                   "balance: the most references of a cell");
-        add_number(app, "--nested", settings.options.grid.nested_log2, 0, 15,
-                   "irregular: each voxel is divided into at most 2^N per axis");
-        add_number(app, "--step-cost", settings.options.grid.step_cost, 0.0, 1000.0,
-                   "irregular: what a step to a cell costs, in intersection tests");
-        add_number(app, "--detail", settings.options.grid.detail, 0.1, 100.0,
-                   "irregular: planes no closer than a primitive's typical extent divided by this");
-        add_number(app, "--alpha", settings.options.grid.alpha, 0.0, 1.0,
-                   "irregular: divide while that makes the expected cost less than alpha times what it is");
-        add_number(app, "--expand", settings.options.grid.expansions, 0, 64,
-                   "irregular: rounds of expanding cells over neighbours that list nothing else");
-        group_options(app, "General");
-        add_choice(
-            app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
+        command.add_choice(
+            "--merge", settings.options.grid.kind,
+            {{"auto", GridKind::automatic},
+             {"none", GridKind::uniform},
+             {"x", GridKind::x},
+             {"balance", GridKind::balance},
+             {"irregular", GridKind::irregular}},
+            "which voxels share a cell: auto (none where a division is given; else none or irregular, "
+            "whichever a sample of rays is expected to take less time through), none, x (empty ones "
+            "in a run along x), balance (as many as list "
+            "--target primitives), irregular (voxels are divided further, by expected cost)");
+        command.add_number("--target", settings.options.grid.target, 1U, 1U << 20,
+                           "balance: the most references of a cell");
+        command.add_number("--nested", settings.options.grid.nested_log2, 0, 15,
+                           "irregular: each voxel is divided into at most 2^N per axis");
+        command.add_number("--step-cost", settings.options.grid.step_cost, 0.0, 1000.0,
+                           "irregular: what a step to a cell costs, in intersection tests");
+        command.add_number("--detail", settings.options.grid.detail, 0.1, 100.0,
+                           "irregular: planes no closer than a primitive's typical extent divided by this");
+        command.add_number(
+            "--alpha", settings.options.grid.alpha, 0.0, 1.0,
+            "irregular: divide while that makes the expected cost less than alpha times what it is");
+        command.add_number("--expand", settings.options.grid.expansions, 0, 64,
+                           "irregular: rounds of expanding cells over neighbours that list nothing else");
+        command.group("General");
+        command.add_choice(
+            "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
             "where to build; the file is the same (a hierarchy of high quality is always built on the CPU)");
-        add_quiet(app, settings.quiet, "no progress on standard error, and no report without --json");
-        settings.threads.add_to(app);
+        command.add_quiet(settings.quiet, "no progress on standard error, and no report without --json");
+        settings.threads.add_to(command);
         parse();
         const auto limit = settings.threads.limit();
         try {

@@ -202,52 +202,57 @@ void render(const Settings& settings, Ranks& ranks) {
   write_reports("gridrender", settings.tracing, opened, ranks, report, quiet);
 }
 
-void add_options(CLI::App& app, Settings& settings) {
-  app.footer("Example:\n  gridrender balls.scene balls.grid -o balls.png --size 1024x768");
-  settings.tracing.add_files(app);
-  group_options(app, "Output");
-  add_file(app, "-o,--output", settings.output,
-           "picture: .png, or .pfm for linear floats; - is standard output; of several views with "
-           "{index} or {name} in it");
-  add_choice(app, "--format", settings.format,
-             {{"auto", Format::automatic}, {"png", Format::png}, {"pfm", Format::pfm}},
-             "the picture's format; auto: by the name's end, PNG on standard output");
-  app.add_flag("--srgb", settings.srgb, "encode PNG values as sRGB; without it they are stored as they are");
-  add_file(app, "--hits", settings.hits,
-           "write a record for each camera ray: float t (infinity for a miss), int32 object (-1 for a "
-           "miss); .npy: a NumPy array; .csv: text; - is standard output");
-  add_hit_name(app, settings.hit_name, "what --hits identifies");
-  group_options(app, "Camera");
-  settings.frame.add_camera(app);
-  app.add_option("--crop", settings.crop, "render only these pixels of the picture")->type_name("X,Y,W,H");
-  auto* const views =
-      add_file(app, "--views", settings.views,
-               "render the views of a list, a JSON object per line: name, from, at, up, angle, size; "
-               "- is standard input");
-  app.add_option("--turntable", settings.turntable, "render N views around the point looked at")
-      ->check(CLI::Range(1, 1000000))
-      ->excludes(views);
-  group_options(app, "Rays");
-  settings.frame.add_sampling(app);
-  settings.frame.add_secondary(app);
-  group_options(app, "Channels");
-  app.add_option("--channels", settings.channels,
-                 "for each camera ray, files of values and of pictures beside that of -o: a list of depth, "
-                 "normal, object, primitive, cells, tests, idle")
-      ->type_name("LIST");
-  add_choice(app, "--channel-format", settings.channel_format,
-             {{"pfm", ChannelFormat::pfm}, {"npy", ChannelFormat::npy}},
-             "format of the channels' values: .pfm, or .npy, a NumPy array");
-  app.add_option(
-         "--channel-high", settings.channel_high,
-         "upper end of the scale in pictures of cells and tests, so that they can be compared; default: "
-         "of each picture's own values")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1 << 30));
-  app.add_flag("--all-rays", settings.all_rays,
-               "count cells and tests of a camera ray and all rays that it spawns, shadow rays too");
-  app.add_flag("--no-picture", settings.no_picture, "write the channels' files alone, and no picture to -o");
-  settings.tracing.add_to(app);
+void add_options(const CommandLine& command, Settings& settings) {
+  command.footer("Example:\n  gridrender balls.scene balls.grid -o balls.png --size 1024x768");
+  settings.tracing.add_files(command);
+  command.group("Output");
+  command.add_file("-o,--output", settings.output,
+                   "picture: .png, or .pfm for linear floats; - is standard output; of several views with "
+                   "{index} or {name} in it");
+  command.add_choice("--format", settings.format,
+                     {{"auto", Format::automatic}, {"png", Format::png}, {"pfm", Format::pfm}},
+                     "the picture's format; auto: by the name's end, PNG on standard output");
+  command.add_flag("--srgb", settings.srgb,
+                   "encode PNG values as sRGB; without it they are stored as they are");
+  command.add_file(
+      "--hits", settings.hits,
+      "write a record for each camera ray: float t (infinity for a miss), int32 object (-1 for a "
+      "miss); .npy: a NumPy array; .csv: text; - is standard output");
+  add_hit_name(command, settings.hit_name, "what --hits identifies");
+  command.group("Camera");
+  settings.frame.add_camera(command);
+  command.add_option("--crop", settings.crop, "render only these pixels of the picture").type_name("X,Y,W,H");
+  const Option views =
+      command.add_file("--views", settings.views,
+                       "render the views of a list, a JSON object per line: name, from, at, up, angle, size; "
+                       "- is standard input");
+  command.add_option("--turntable", settings.turntable, "render N views around the point looked at")
+      .range(1, 1000000)
+      .excludes(views);
+  command.group("Rays");
+  settings.frame.add_sampling(command);
+  settings.frame.add_secondary(command);
+  command.group("Channels");
+  command
+      .add_option("--channels", settings.channels,
+                  "for each camera ray, files of values and of pictures beside that of -o: a list of depth, "
+                  "normal, object, primitive, cells, tests, idle")
+      .type_name("LIST");
+  command.add_choice("--channel-format", settings.channel_format,
+                     {{"pfm", ChannelFormat::pfm}, {"npy", ChannelFormat::npy}},
+                     "format of the channels' values: .pfm, or .npy, a NumPy array");
+  command
+      .add_option(
+          "--channel-high", settings.channel_high,
+          "upper end of the scale in pictures of cells and tests, so that they can be compared; default: "
+          "of each picture's own values")
+      .type_name("N")
+      .range(1, 1 << 30);
+  command.add_flag("--all-rays", settings.all_rays,
+                   "count cells and tests of a camera ray and all rays that it spawns, shadow rays too");
+  command.add_flag("--no-picture", settings.no_picture,
+                   "write the channels' files alone, and no picture to -o");
+  settings.tracing.add_to(command);
 }
 
 } // namespace
@@ -256,9 +261,9 @@ void add_options(CLI::App& app, Settings& settings) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_ranks_tool("gridrender", "Renders pictures of a scene through its grid.", argc, argv,
-                        [](CLI::App& app, const auto& parse) {
+                        [](const CommandLine& command, const auto& parse) {
                           Settings settings;
-                          add_options(app, settings);
+                          add_options(command, settings);
                           Ranks& ranks = parse();
                           const auto limit = settings.tracing.limit_threads(ranks);
                           render(settings, ranks);

@@ -219,78 +219,88 @@ void print_walk(const Settings& settings) {
 constexpr const char *hits_group = "Hits", *rays_group = "Rays",
                      *walk_group = "Walk of one ray, cell by cell", *camera_group = "Camera of --pixel";
 
-void add_list_options(CLI::App& app, Settings& settings) {
-  group_options(app, hits_group);
-  app.add_option("-o,--output", settings.hits,
-                 "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
-                 "or what --write says; .npy: a NumPy array; .csv: text; - is standard output")
-      ->type_name("HITS");
-  app.add_option(
-         "--write", settings.write,
-         "fields of a record: a list of t, t64 (of 64 bits), object, primitive, face, uv, normal, front "
-         "(default t,object); with --all-hits also count (default count,t,object,front); with --count-hits "
-         "count and inside; with --any-hit occluded")
-      ->type_name("LIST");
-  add_hit_name(app, settings.hit_name, "what a record names without --write");
-  auto* const any =
-      app.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
-  auto* const all = app.add_option("--all-hits", settings.all_hits,
-                                   "write up to K hits of each ray in their order, a closed mesh's crossings "
-                                   "at edges and corners once")
-                        ->type_name("K")
-                        ->check(CLI::Range(1U, max_hits_per_ray))
-                        ->excludes(any);
-  app.add_flag("--count-hits", settings.count_hits,
-               "count them; inside: whether the ray starts in a closed mesh (0 or 1; 2 where fronts and "
-               "backs are met otherwise than of closed meshes)")
-      ->excludes(any)
-      ->excludes(all);
-  add_choice(app, "--faces", settings.faces,
-             {{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}}, "faces that are hit");
-  app.add_option("--objects", settings.objects,
-                 "objects that alone are hit: a list of numbers, as hits name them, and ranges such as 7-9")
-      ->type_name("LIST");
-  group_options(app, rays_group);
-  app.add_option("--ray-numbers", settings.ray_numbers,
-                 "numbers per ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
-                 "tmax)")
-      ->check(CLI::IsMember(std::set<int>{6, 8}))
-      ->capture_default_str();
-  add_choice(app, "--ray-store", settings.ray_store,
-             {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
-             "type of these numbers; auto: float64 where the file's name ends in .f64");
-  add_file(app, "--exclude", settings.excluded,
-           "a primitive for each ray that it doesn't hit, or -1: int32 numbers, or a NumPy array of them");
-  app.add_flag("--relative", settings.relative,
-               "rays are relative to the scene's local origin, and not in the world");
+void add_list_options(const CommandLine& command, Settings& settings) {
+  command.group(hits_group);
+  command
+      .add_option("-o,--output", settings.hits,
+                  "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
+                  "or what --write says; .npy: a NumPy array; .csv: text; - is standard output")
+      .type_name("HITS");
+  command
+      .add_option(
+          "--write", settings.write,
+          "fields of a record: a list of t, t64 (of 64 bits), object, primitive, face, uv, normal, front "
+          "(default t,object); with --all-hits also count (default count,t,object,front); with --count-hits "
+          "count and inside; with --any-hit occluded")
+      .type_name("LIST");
+  add_hit_name(command, settings.hit_name, "what a record names without --write");
+  const Option any =
+      command.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
+  const Option all =
+      command
+          .add_option("--all-hits", settings.all_hits,
+                      "write up to K hits of each ray in their order, a closed mesh's crossings "
+                      "at edges and corners once")
+          .type_name("K")
+          .range(1U, max_hits_per_ray)
+          .excludes(any);
+  command
+      .add_flag("--count-hits", settings.count_hits,
+                "count them; inside: whether the ray starts in a closed mesh (0 or 1; 2 where fronts and "
+                "backs are met otherwise than of closed meshes)")
+      .excludes(any)
+      .excludes(all);
+  command.add_choice("--faces", settings.faces,
+                     {{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}},
+                     "faces that are hit");
+  command
+      .add_option("--objects", settings.objects,
+                  "objects that alone are hit: a list of numbers, as hits name them, and ranges such as 7-9")
+      .type_name("LIST");
+  command.group(rays_group);
+  command
+      .add_option(
+          "--ray-numbers", settings.ray_numbers,
+          "numbers per ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
+          "tmax)")
+      .among(std::set<int>{6, 8})
+      .shows_default();
+  command.add_choice("--ray-store", settings.ray_store,
+                     {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
+                     "type of these numbers; auto: float64 where the file's name ends in .f64");
+  command.add_file(
+      "--exclude", settings.excluded,
+      "a primitive for each ray that it doesn't hit, or -1: int32 numbers, or a NumPy array of them");
+  command.add_flag("--relative", settings.relative,
+                   "rays are relative to the scene's local origin, and not in the world");
 }
 
-void add_walk_options(CLI::App& app, Settings& settings) {
-  group_options(app, walk_group);
-  auto* const ray = app.add_option("--ray", settings.ray, "print the walk of this ray, instead of RAYS")
-                        ->type_name("X,Y,Z,DX,DY,DZ");
-  auto* const pixel = app.add_option("--pixel", settings.pixel,
-                                     "print the walk of this camera ray, counted from the picture's top left")
-                          ->type_name("X,Y")
-                          ->excludes(ray);
-  app.add_flag("--all-rays", settings.all_rays, "and of all rays that it spawns, shadow rays too");
-  settings.frame.add_secondary(app);
-  app.add_flag("--json{-}", settings.json, "print JSON; --json=FILE writes it to a file");
-  group_options(app, camera_group);
-  settings.frame.add_camera(app);
-  settings.frame.add_sampling(app);
-  for (CLI::Option* const option : app.get_options([](const CLI::Option*) { return true; })) {
-    if (option->get_group() == camera_group) option->needs(pixel);
-  }
+void add_walk_options(const CommandLine& command, Settings& settings) {
+  command.group(walk_group);
+  const Option ray = command.add_option("--ray", settings.ray, "print the walk of this ray, instead of RAYS")
+                         .type_name("X,Y,Z,DX,DY,DZ");
+  const Option pixel =
+      command
+          .add_option("--pixel", settings.pixel,
+                      "print the walk of this camera ray, counted from the picture's top left")
+          .type_name("X,Y")
+          .excludes(ray);
+  command.add_flag("--all-rays", settings.all_rays, "and of all rays that it spawns, shadow rays too");
+  settings.frame.add_secondary(command);
+  command.add_json(settings.json);
+  command.group(camera_group);
+  settings.frame.add_camera(command);
+  settings.frame.add_sampling(command);
+  command.group_needs(camera_group, pixel);
 }
 
 // Options that would have no effect are errors.
-void refuse_useless(const CLI::App& app, bool is_walk) {
+void refuse_useless(const CommandLine& command, bool is_walk) {
   const std::set<std::string> of_lists{hits_group, rays_group, "Reports"};
-  for (const CLI::Option* const option : app.get_options()) {
-    const std::string name = option->get_name(), group = option->get_group();
+  for (const Option option : command.options()) {
+    const std::string name = option.name(), group = option.heading();
     const bool is_used = is_walk ? !of_lists.contains(group) && name != "--resume" : group != walk_group;
-    if (option->count() == 0 || is_used) continue;
+    if (!option.is_given() || is_used) continue;
     throw Error(ErrorCode::usage, name,
                 is_walk ? "is for a list of rays: leave it out with --ray and --pixel"
                         : "is for the walk of one ray: give --ray or --pixel");
@@ -304,23 +314,24 @@ int main(int argc, char** argv) {
   using namespace masu;
   return run_ranks_tool(
       "gridtrace", "Traces a list of rays through a scene's grid, or prints the walk of one ray.", argc, argv,
-      [](CLI::App& app, const auto& parse) {
+      [](const CommandLine& command, const auto& parse) {
         Settings settings;
-        app.footer("Example:\n  gridtrace balls.scene balls.grid rays.npy -o hits.npy --write t,normal");
-        settings.tracing.add_files(app);
-        app.add_option("RAYS", settings.rays,
-                       "list of rays: numbers; .npy, a NumPy array of shape (N, 6) or (N, 8); .csv, text "
-                       "whose first line is ox,oy,oz,dx,dy,dz, with tmin and tmax among them or not; - is "
-                       "standard input");
-        add_list_options(app, settings);
-        add_walk_options(app, settings);
-        settings.tracing.add_to(app);
+        command.footer("Example:\n  gridtrace balls.scene balls.grid rays.npy -o hits.npy --write t,normal");
+        settings.tracing.add_files(command);
+        command.add_option(
+            "RAYS", settings.rays,
+            "list of rays: numbers; .npy, a NumPy array of shape (N, 6) or (N, 8); .csv, text "
+            "whose first line is ox,oy,oz,dx,dy,dz, with tmin and tmax among them or not; - is "
+            "standard input");
+        add_list_options(command, settings);
+        add_walk_options(command, settings);
+        settings.tracing.add_to(command);
         Ranks& ranks = parse();
         TracingOptions& tracing = settings.tracing;
         if (tracing.brute_force && settings.rays.empty() && !settings.is_walk())
           std::swap(settings.rays, tracing.grid); // SCENE RAYS
         const auto limit = tracing.limit_threads(ranks);
-        refuse_useless(app, settings.is_walk());
+        refuse_useless(command, settings.is_walk());
         const Sharing sharing{ranks, tracing.resume};
         check(settings, sharing);
         if (!settings.is_walk()) return trace_list(settings, sharing);

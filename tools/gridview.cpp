@@ -1,6 +1,6 @@
 // gridview: a scene and its grids as a page in the browser, served on the loopback address.
+#include "tools/common/backend.h"
 #include "tools/common/cli.h"
-#include "tools/common/device_choice.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
@@ -102,38 +102,40 @@ int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
       "gridview", "Shows a scene and its grids as a page in the browser.", argc, argv,
-      [](CLI::App& app, const auto& parse) {
+      [](const CommandLine& command, const auto& parse) {
         Settings settings;
-        app.footer("Example:\n  gridview balls.scene balls.grid");
-        app.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin")->required();
-        app.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
-            ->required()
-            ->expected(1, 16);
-        group_options(app, "Server");
-        app.add_option("--port", settings.port,
-                       fmt::format("port to listen on; 0: any that is free; without it {}, or any where "
-                                   "that is taken",
-                                   usual_port))
-            ->check(CLI::Range(0, 65535));
-        app.add_option("--bind", settings.address,
-                       "address to listen on; any but loopback's needs the token that is printed")
-            ->type_name("ADDRESS")
-            ->capture_default_str();
-        app.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
-        group_options(app, "Instead of a server");
-        auto* const file = add_file(app, "--export", settings.exported.path,
-                                    "write the page to this .html instead of serving it: pictures "
-                                    "around the scene, channels, slices and statistics in one file");
-        add_number(app, "--views", settings.exported.views, 1, 360, "of --export: how many, on a circle")
-            ->needs(file);
-        app.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
-            ->type_name("WxH")
-            ->needs(file);
-        group_options(app, "Tracing");
-        add_backend(app, settings.backend);
-        add_precision(app, settings.viewer.precision);
-        add_quiet(app, settings.quiet, "print the address alone");
-        settings.threads.add_to(app);
+        command.footer("Example:\n  gridview balls.scene balls.grid");
+        command.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin").required();
+        command.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
+            .required()
+            .values(1, 16);
+        command.group("Server");
+        command
+            .add_option("--port", settings.port,
+                        fmt::format("port to listen on; 0: any that is free; without it {}, or any where "
+                                    "that is taken",
+                                    usual_port))
+            .range(0, 65535);
+        command
+            .add_option("--bind", settings.address,
+                        "address to listen on; any but loopback's needs the token that is printed")
+            .type_name("ADDRESS")
+            .shows_default();
+        command.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
+        command.group("Instead of a server");
+        const Option file = command.add_file("--export", settings.exported.path,
+                                             "write the page to this .html instead of serving it: pictures "
+                                             "around the scene, channels, slices and statistics in one file");
+        command.add_number("--views", settings.exported.views, 1, 360, "of --export: how many, on a circle")
+            .needs(file);
+        command.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
+            .type_name("WxH")
+            .needs(file);
+        command.group("Tracing");
+        add_backend(command, settings.backend);
+        add_precision(command, settings.viewer.precision);
+        command.add_quiet(settings.quiet, "print the address alone");
+        settings.threads.add_to(command);
         parse();
         if (!settings.size.empty()) {
           const Camera camera = resized({}, settings.size);

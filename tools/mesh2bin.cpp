@@ -149,29 +149,32 @@ int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
       "mesh2bin", "Converts a mesh (OBJ, PLY, STL, glTF, FBX, Collada, ...) to a scene file.", argc, argv,
-      [](CLI::App& app, const auto& parse) {
+      [](const CommandLine& command, const auto& parse) {
         Settings settings;
-        app.footer("Example:\n  mesh2bin duck.glb -o duck.scene");
-        app.add_option("IN", settings.input, "mesh; the format is that of its name, or else of its content")
-            ->required();
-        group_options(app, "Mesh");
-        add_choice(app, "--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
-                   "the up axis of the automatic camera; nothing is rotated");
-        app.add_flag("--smooth", settings.import.smooth,
-                     "interpolate normals: the file's, or where it has none, normals averaged over "
-                     "the faces round each vertex");
-        app.add_option("--size", settings.size, "width and height of the picture in pixels")
-            ->type_name("WxH");
-        add_file(app, "--objects", settings.objects,
-                 "write the objects' names, one a line in the order of their numbers; - is standard output");
-        app.add_option(
-               "--time-limit", settings.time_limit,
-               "seconds of processor time that reading the mesh may take; 0: any; by default 20, and 5 "
-               "more for each MB")
-            ->check(CLI::Range(0, 100000000));
-        settings.output.add_to(app);
-        add_quiet(app, settings.quiet, "no progress on standard error");
-        settings.threads.add_to(app);
+        command.footer("Example:\n  mesh2bin duck.glb -o duck.scene");
+        command
+            .add_option("IN", settings.input, "mesh; the format is that of its name, or else of its content")
+            .required();
+        command.group("Mesh");
+        command.add_choice("--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
+                           "the up axis of the automatic camera; nothing is rotated");
+        command.add_flag("--smooth", settings.import.smooth,
+                         "interpolate normals: the file's, or where it has none, normals averaged over "
+                         "the faces round each vertex");
+        command.add_option("--size", settings.size, "width and height of the picture in pixels")
+            .type_name("WxH");
+        command.add_file(
+            "--objects", settings.objects,
+            "write the objects' names, one a line in the order of their numbers; - is standard output");
+        command
+            .add_option(
+                "--time-limit", settings.time_limit,
+                "seconds of processor time that reading the mesh may take; 0: any; by default 20, and 5 "
+                "more for each MB")
+            .range(0, 100000000);
+        settings.output.add_to(command);
+        command.add_quiet(settings.quiet, "no progress on standard error");
+        settings.threads.add_to(command);
         parse();
         if (!settings.size.empty()) {
           const Camera camera = resized({}, settings.size);

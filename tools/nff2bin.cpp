@@ -72,21 +72,24 @@ int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
       "nff2bin", "Converts NFF text to a scene file, and reports the content of either.", argc, argv,
-      [](CLI::App& app, const auto& parse) {
+      [](const CommandLine& command, const auto& parse) {
         Settings settings;
-        app.footer("Example:\n  nff2bin balls.nff -o balls.scene");
-        app.add_option("IN", settings.input,
-                       "NFF file, or - for standard input; with --info also a scene file")
-            ->required();
-        settings.output.add_to(app);
-        app.add_option("--tessellate", settings.facets,
-                       "replace spheres and cones by triangles, N facets around: 2N triangles per cone (N if "
-                       "pointed), "
-                       "12(N/4)^2 per sphere; the SPD uses 12")
-            ->check(CLI::Validator(check_facets, fmt::format("{}..{}", min_facets, max_facets)))
-            ->type_name("N");
-        add_quiet(app, settings.quiet, "no progress on standard error");
-        settings.threads.add_to(app);
+        command.footer("Example:\n  nff2bin balls.nff -o balls.scene");
+        command
+            .add_option("IN", settings.input,
+                        "NFF file, or - for standard input; with --info also a scene file")
+            .required();
+        settings.output.add_to(command);
+        command
+            .add_option(
+                "--tessellate", settings.facets,
+                "replace spheres and cones by triangles, N facets around: 2N triangles per cone (N if "
+                "pointed), "
+                "12(N/4)^2 per sphere; the SPD uses 12")
+            .check(check_facets, fmt::format("{}..{}", min_facets, max_facets))
+            .type_name("N");
+        command.add_quiet(settings.quiet, "no progress on standard error");
+        settings.threads.add_to(command);
         parse();
         run(settings);
       });

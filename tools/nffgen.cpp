@@ -15,19 +15,18 @@ struct Settings {
   bool no_background = false, quiet = false;
 };
 
-void add_options(CLI::App& app, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   std::string sizes = "Sizes (standard, largest):";
   for (const SpdInfo& info : spd_scenes())
     sizes += fmt::format("\n  {:<7} {:>2} {:>5}", info.name, info.standard, info.max_size);
-  app.footer(sizes + "\n\nExample:\n  nffgen teapot --size 10 -o teapot.nff");
-  app.add_option("scene", settings.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
-      ->required();
-  app.add_option("--size", settings.size, "subdivision level (default: the standard size)");
-  add_file(app, "-o,--output", settings.output, "NFF file to write; - is standard output")
-      ->capture_default_str();
-  app.add_flag("--no-background", settings.no_background,
-               "leave out floors, walls, grounds, and the mountain's spheres");
-  add_quiet(app, settings.quiet, "no progress on standard error");
+  command.footer(sizes + "\n\nExample:\n  nffgen teapot --size 10 -o teapot.nff");
+  command.add_option("scene", settings.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
+      .required();
+  command.add_option("--size", settings.size, "subdivision level (default: the standard size)");
+  command.add_file("-o,--output", settings.output, "NFF file to write; - is standard output").shows_default();
+  command.add_flag("--no-background", settings.no_background,
+                   "leave out floors, walls, grounds, and the mountain's spheres");
+  command.add_quiet(settings.quiet, "no progress on standard error");
 }
 
 void write(const Settings& settings) {
@@ -46,9 +45,9 @@ void write(const Settings& settings) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool("nffgen", "Writes a scene of the Standard Procedural Databases (SPD) as NFF text.", argc,
-                  argv, [](CLI::App& app, const auto& parse) {
+                  argv, [](const CommandLine& command, const auto& parse) {
                     Settings settings;
-                    add_options(app, settings);
+                    add_options(command, settings);
                     parse();
                     write(settings);
                   });

@@ -11,7 +11,7 @@ import sys
 
 PAGES = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "tools"
 BLOCK = re.compile(r"(?m)^<!-- options (.+) -->\n((?:.*\n)*?)<!-- end -->$")
-INDENT = " " * 26  # of descriptions (tools/common/help.cpp)
+INDENT = " " * 26  # of descriptions (tools/common/command_line.cpp)
 SHARED = ("-h,", "--version")  # docs/tools/README.md has them
 
 

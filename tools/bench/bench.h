@@ -2,20 +2,20 @@
 // it.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "tools/common/command_line.h"
 
 namespace masu {
 
-void add_frame(CLI::App& app);
-void add_rays(CLI::App& app);
-void add_lists(CLI::App& app);
-void add_scale(CLI::App& app);
-void add_load(CLI::App& app);
-void add_refit(CLI::App& app);
-void add_tradeoff(CLI::App& app);
-void add_stability(CLI::App& app);
-void add_oracle(CLI::App& app);
-void add_crossings(CLI::App& app);
-void add_difference(CLI::App& app);
+void add_frame(const CommandLine& command);
+void add_rays(const CommandLine& command);
+void add_lists(const CommandLine& command);
+void add_scale(const CommandLine& command);
+void add_load(const CommandLine& command);
+void add_refit(const CommandLine& command);
+void add_tradeoff(const CommandLine& command);
+void add_stability(const CommandLine& command);
+void add_oracle(const CommandLine& command);
+void add_crossings(const CommandLine& command);
+void add_difference(const CommandLine& command);
 
 } // namespace masu

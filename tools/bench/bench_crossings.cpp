@@ -81,22 +81,22 @@ void bench_crossings(const Settings& settings, Output& output) {
                "wrong", all.rays, all.crossing, all.hits, all.wrong);
 }
 
-void add_options(CLI::App& command, Settings& settings) {
-  command.add_option("SCENE", settings.scene, "scene file of closed meshes, their fronts outside")
-      ->required();
+void add_options(const CommandLine& command, Settings& settings) {
+  command.add_option("SCENE", settings.scene, "scene file of closed meshes, their fronts outside").required();
   add_grid(command, settings.grid);
   add_count(command, "--count", settings.count, "number of rays", 40);
   add_seed(command, settings.seed);
   add_backend(command, settings.backend);
-  add_choice(command, "--precision", settings.precision,
-             {{"auto", Precision::automatic}, {"robust", Precision::robust}, {"double", Precision::doubled}},
-             "arithmetic: robust, double, or auto, what the scene's store asks for");
+  command.add_choice(
+      "--precision", settings.precision,
+      {{"auto", Precision::automatic}, {"robust", Precision::robust}, {"double", Precision::doubled}},
+      "arithmetic: robust, double, or auto, what the scene's store asks for");
 }
 
 } // namespace
 
-void add_crossings(CLI::App& app) {
-  add_command(app, "crossings", "How often rays through corners, edges and faces cross a closed mesh",
+void add_crossings(const CommandLine& command) {
+  add_command(command, "crossings", "How often rays through corners, edges and faces cross a closed mesh",
               "teapot.scene teapot.grid", add_options, bench_crossings);
 }
 

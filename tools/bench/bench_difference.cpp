@@ -62,16 +62,16 @@ void print_difference(const Settings& settings) {
 
 } // namespace
 
-void add_difference(CLI::App& app) {
+void add_difference(const CommandLine& gridbench) {
   const auto owned = std::make_shared<Settings>(); // by the callback
   Settings& settings = *owned;
-  CLI::App& command = *app.add_subcommand("difference", "How two pictures or channels differ");
+  const CommandLine command = gridbench.add_subcommand("difference", "How two pictures or channels differ");
   command.footer("Example:\n  gridbench difference balls.png centers.png -o difference.png");
-  command.add_option("A", settings.a, "picture or channel: PNG, PFM, .npy")->required();
-  command.add_option("B", settings.b, "another one of the same size")->required();
-  add_file(command, "-o,--output", settings.output, "draw the differences: FILE.png");
-  command.add_flag("--json{-}", settings.json, "print JSON; --json=FILE writes it to a file");
-  command.callback([owned] { print_difference(*owned); });
+  command.add_option("A", settings.a, "picture or channel: PNG, PFM, .npy").required();
+  command.add_option("B", settings.b, "another one of the same size").required();
+  command.add_file("-o,--output", settings.output, "draw the differences: FILE.png");
+  command.add_json(settings.json);
+  command.calls([owned] { print_difference(*owned); });
 }
 
 } // namespace masu

@@ -108,7 +108,7 @@ void bench_frame(const Settings& settings, Output& output) {
   }
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grids(command, settings.grids);
   std::set<std::string> names;
@@ -118,26 +118,26 @@ void add_options(CLI::App& command, Settings& settings) {
             "how tiles of 8x8 rays are assigned: hardware (a thread block per tile), block (consecutive "
             "tiles to each worker), cyclic (every W-th tile to each of W workers), persistent (workers "
             "take the next tile from a counter); default: all");
-  add_number(command, "--workers", settings.workers_each, 0, 64,
-             "workers per multiprocessor (or per CPU thread); 0: as many as are resident at once");
+  command.add_number("--workers", settings.workers_each, 0, 64,
+                     "workers per multiprocessor (or per CPU thread); 0: as many as are resident at once");
   add_backend(command, settings.backend);
   add_precision(command, settings.tracing.precision);
   add_first_cell_hit(command, settings.tracing.stop);
   add_general(command, settings.tracing);
   add_picture_size(command, settings.size, "size of the picture");
-  add_choice(command, "--sampling", settings.sampling,
-             {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
-             "rays through pixel corners or centers");
-  add_number(command, "--depth", settings.rules.depth, 1, largest_depth,
-             "largest depth of rays; camera rays have depth 1");
+  command.add_choice("--sampling", settings.sampling,
+                     {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
+                     "rays through pixel corners or centers");
+  command.add_number("--depth", settings.rules.depth, 1, largest_depth,
+                     "largest depth of rays; camera rays have depth 1");
   add_warm_up(command, settings.warm_up);
   add_repeat(command, settings.repeat, "timed runs, of which the median counts");
 }
 
 } // namespace
 
-void add_frame(CLI::App& app) {
-  add_command(app, "frame", "Whole pictures, by screen division: how tiles are scheduled",
+void add_frame(const CommandLine& command) {
+  add_command(command, "frame", "Whole pictures, by screen division: how tiles are scheduled",
               "balls.scene balls.grid --repeat 5", add_options, bench_frame);
 }
 

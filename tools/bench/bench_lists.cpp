@@ -60,7 +60,7 @@ void bench_lists(const Settings& settings, Output& output) {
   }
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grid(command, settings.grid);
   add_count(command, "--count", settings.count, "number of rays; 40 bytes of memory each", 32);
@@ -70,8 +70,8 @@ void add_options(CLI::App& command, Settings& settings) {
 
 } // namespace
 
-void add_lists(CLI::App& app) {
-  add_command(app, "lists",
+void add_lists(const CommandLine& command) {
+  add_command(command, "lists",
               "Long lists of rays from host memory through a GPU, compared with plain copies of their bytes",
               "balls.scene balls.grid --count 10000000", add_options, bench_lists);
 }

@@ -99,7 +99,7 @@ void bench_load(const Settings& settings, Output& output) {
   print_table(output);
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grid(command, settings.grid);
   add_backend(command, settings.backend);
@@ -108,9 +108,9 @@ void add_options(CLI::App& command, Settings& settings) {
 
 } // namespace
 
-void add_load(CLI::App& app) {
+void add_load(const CommandLine& command) {
   add_command(
-      app, "load",
+      command, "load",
       "Reading, validating and uploading a scene and its grid, compared with plain copies of their bytes",
       "balls.scene balls.grid", add_options, bench_load);
 }

@@ -94,22 +94,23 @@ void bench_oracle(const Settings& settings, Output& output) {
   }
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grid(command, settings.grid);
   add_count(command, "--count", settings.count, "number of random rays", 28);
   add_seed(command, settings.seed);
   add_names(command, "--precision", settings.precisions, {"fast", "robust", "double"},
             "precisions: fast, robust, double")
-      ->capture_default_str();
+      .shows_default();
   command.add_flag("--first-cell-hit", settings.first_cell_hit,
                    "terminate at the first cell in which anything is hit (see gridrender --help)");
 }
 
 } // namespace
 
-void add_oracle(CLI::App& app) {
-  add_command(app, "oracle", "Closest hits of random rays, compared with brute force in 113-bit arithmetic",
+void add_oracle(const CommandLine& command) {
+  add_command(command, "oracle",
+              "Closest hits of random rays, compared with brute force in 113-bit arithmetic",
               "balls.scene balls.grid --count 100000", add_options, bench_oracle);
 }
 

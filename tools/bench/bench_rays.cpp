@@ -155,14 +155,14 @@ void bench_rays(const Settings& settings, Output& output) {
   }
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grids(command, settings.grids);
   add_names(command, "--sets", settings.sets, {"primary", "diffuse", "random", "shadow"},
             "sets of rays: primary, diffuse, random (closest hit), shadow (any hit); default: all");
   add_backend(command, settings.backend);
-  add_choice(command, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
-             "order of primary rays: rows, or tiles of 8x4");
+  command.add_choice("--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
+                     "order of primary rays: rows, or tiles of 8x4");
   add_names(
       command, "--loop", settings.loops, loop_names(),
       "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
@@ -181,13 +181,13 @@ void add_options(CLI::App& command, Settings& settings) {
       .add_option("--save", settings.save,
                   "write the sets, too: 8 float64 numbers per ray (origin, tmin, direction, tmax), relative "
                   "to the scene's local origin, to PREFIX and the set's name and .f64")
-      ->type_name("PREFIX");
+      .type_name("PREFIX");
 }
 
 } // namespace
 
-void add_rays(CLI::App& app) {
-  add_command(app, "rays", "Throughput of sets of rays, with intersection tests and cells per ray",
+void add_rays(const CommandLine& command) {
+  add_command(command, "rays", "Throughput of sets of rays, with intersection tests and cells per ray",
               "balls.scene balls.grid --sets primary,diffuse", add_options, bench_rays);
 }
 

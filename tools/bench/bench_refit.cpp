@@ -120,23 +120,23 @@ void bench_refit(const Settings& settings, Output& output) {
       {"scene", settings.scene}, {"primitives", file.primitive_count()}, {"rows", std::move(rows)}};
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   command
       .add_option("--bends", settings.bends, "how far points move across the longest side, in percent of it")
-      ->delimiter(',')
-      ->check(CLI::Range(0.0, 1000.0))
-      ->type_name("LIST")
-      ->default_str("1,10,50");
+      .comma_separated()
+      .range(0.0, 1000.0)
+      .type_name("LIST")
+      .default_text("1,10,50");
   add_backend(command, settings.backend);
   add_repeat(command, settings.repeat, "timed runs; the median counts");
 }
 
 } // namespace
 
-void add_refit(CLI::App& app) {
+void add_refit(const CommandLine& command) {
   add_command(
-      app, "refit",
+      command, "refit",
       "Building a hierarchy, and refitting it to the scene bent, with the rates that a sample of rays "
       "is expected to have through it, over those through a new one",
       "teapot.scene", add_options, bench_refit);

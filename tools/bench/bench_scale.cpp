@@ -8,7 +8,7 @@
 #include "tools/bench/command.h"
 #include "tools/bench/gnuplot.h"
 #include "tools/bench/host_list.h"
-#include "tools/common/device_choice.h"
+#include "tools/jobs/device_choice.h"
 #include "tools/jobs/run_tasks.h"
 #include "tools/render/picture_bands.h"
 #include "tools/render/render_views.h"
@@ -254,8 +254,8 @@ void bench_scale(const Settings& settings, Output& output) {
   };
   for (const Workers& workers : all) {
     // On the CPU a worker is a thread.
-    std::optional<tbb::global_control> fewer;
-    if (!cuda) fewer.emplace(tbb::global_control::max_allowed_parallelism, workers.count);
+    ThreadLimit fewer;
+    if (!cuda) fewer = limit_threads(workers.count);
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu, workers.gpus);
     if (settings.views > 0)
       add("views", workers, [&](double share) {
@@ -275,29 +275,29 @@ void bench_scale(const Settings& settings, Output& output) {
   if (!settings.charts.empty()) draw(settings, output.json);
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   settings.folder = std::filesystem::temp_directory_path().string();
   add_scene(command, settings.scene);
   add_grid(command, settings.grid);
   settings.devices.add_to(command);
-  add_number(command, "--views", settings.views, 0, 1000000, "number of views; 0: none");
+  command.add_number("--views", settings.views, 0, 1000000, "number of views; 0: none");
   add_picture_size(command, settings.size, "pixels of a view");
   add_count(command, "--large", settings.large, "pixels of the large view's sides; 0: none", 16, 0);
   add_count(command, "--rays", settings.rays, "rays of the list, 40 bytes of memory each; 0: none", 32,
             std::size_t{0});
   command.add_option("--folder", settings.folder, "where pictures are written, and removed again")
-      ->type_name("FOLDER")
-      ->capture_default_str();
+      .type_name("FOLDER")
+      .shows_default();
   command.add_option("--charts", settings.charts, "a folder that gets scale.csv, scale.svg and scale.png")
-      ->type_name("FOLDER");
+      .type_name("FOLDER");
   add_seed(command, settings.seed);
   add_repeat(command, settings.repeat);
 }
 
 } // namespace
 
-void add_scale(CLI::App& app) {
-  add_command(app, "scale",
+void add_scale(const CommandLine& command) {
+  add_command(command, "scale",
               "How views, one large view and a list of rays speed up with more GPUs, or threads of the CPU",
               "balls.scene balls.grid", add_options, bench_scale);
 }

@@ -180,10 +180,10 @@ void bench_stability(const Settings& settings, Output& output) {
       fmt::format("differs from the CPU at {} steps of robust or double: please report this bug", bad));
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   command.add_option("--sweep", settings.sweeps, "sweeps to run; default: all")
-      ->type_name("LIST")
-      ->delimiter(',');
+      .type_name("LIST")
+      .comma_separated();
   add_count(command, "--count", settings.run.rays, "rays per step, approximately", 30);
   add_seed(command, settings.run.seed, "seed of scenes and rays");
   add_names(command, "--precision", settings.precisions,
@@ -199,8 +199,8 @@ void add_options(CLI::App& command, Settings& settings) {
 
 } // namespace
 
-void add_stability(CLI::App& app) {
-  add_command(app, "stability",
+void add_stability(const CommandLine& command) {
+  add_command(command, "stability",
               "Where each precision fails: missed, false and wrong hits, compared with an oracle, as one "
               "parameter varies",
               "--sweep moved,tip --count 100000", add_options, bench_stability);

@@ -37,7 +37,7 @@ TradeoffSetup setup_of(const Settings& settings, bool cuda) {
   };
   TradeoffSetup setup;
   setup.backend = cuda ? "cuda" : "cpu";
-  setup.threads = cuda ? 0 : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  setup.threads = cuda ? 0 : allowed_threads();
   setup.size = !settings.size.empty() ? settings.size : cuda ? "1024x1024" : "256x256";
   setup.random = or_default(settings.random, cuda ? 1 << 20 : 1 << 16);
   setup.compared = or_default(settings.compared, cuda ? 1 << 20 : 1 << 15);
@@ -289,20 +289,20 @@ void bench_tradeoff(const Settings& settings, Output& output) {
   present(settings, comparable(rows, setup, hashes), output);
 }
 
-void add_options(CLI::App& command, Settings& settings) {
+void add_options(const CommandLine& command, Settings& settings) {
   command.add_option("SCENE", settings.scenes, "scene files, from nff2bin");
   command
       .add_option(
           "-o,--output", settings.folder,
           "folder for tradeoff.csv, charts.csv and charts; rows that it has already aren't measured again")
-      ->type_name("FOLDER")
-      ->required();
+      .type_name("FOLDER")
+      .required();
   add_backend(command, settings.backend);
   const auto add_list = [&](const char* option, std::vector<std::string>& list, const char* help,
                             const std::set<std::string>& among = {}) {
-    CLI::Option* const added =
-        command.add_option(option, list, help)->type_name("LIST")->delimiter(',')->capture_default_str();
-    if (!among.empty()) added->check(CLI::IsMember(among));
+    const Option added =
+        command.add_option(option, list, help).type_name("LIST").comma_separated().shows_default();
+    if (!among.empty()) added.among(among);
   };
   add_list("--precisions", settings.precisions, "precisions (see gridrender --help)",
            {"fast", "robust", "double"});
@@ -320,16 +320,16 @@ void add_options(CLI::App& command, Settings& settings) {
   const auto add = [&](const char* option, auto& value, const char* help) {
     return command.add_option(option, value, help);
   };
-  add("--size", settings.size, "number of primary rays [256x256; 1024x1024 on a GPU]")->type_name("WxH");
-  const CLI::Range rays(std::uint64_t{1}, std::uint64_t{1} << 28);
-  add("--random", settings.random, "number of random rays [65536; 1048576 on a GPU]")->check(rays);
+  add("--size", settings.size, "number of primary rays [256x256; 1024x1024 on a GPU]").type_name("WxH");
+  constexpr std::uint64_t most_rays = std::uint64_t{1} << 28;
+  add("--random", settings.random, "number of random rays [65536; 1048576 on a GPU]")
+      .range(std::uint64_t{1}, most_rays);
   add("--compared", settings.compared,
       "rays of each of the two sets that are compared with brute force, at most [32768; 1048576 on a GPU]")
-      ->check(rays);
+      .range(std::uint64_t{1}, most_rays);
   add("--picture", settings.picture, "size of the pictures (depth 5) [128x128; 512x512 on a GPU]")
-      ->type_name("WxH");
-  add("--repeat", settings.repeat, "timed runs, of which the median counts [3; 15 on a GPU]")
-      ->check(CLI::Range(1, 1000));
+      .type_name("WxH");
+  add("--repeat", settings.repeat, "timed runs, of which the median counts [3; 15 on a GPU]").range(1, 1000);
   add_seed(command, settings.seed, "seed of the random rays");
   command.add_flag("--charts-only", settings.charts_only,
                    "measure nothing: draw the charts of the rows with the last row's setup again");
@@ -337,9 +337,9 @@ void add_options(CLI::App& command, Settings& settings) {
 
 } // namespace
 
-void add_tradeoff(CLI::App& app) {
+void add_tradeoff(const CommandLine& command) {
   add_command(
-      app, "tradeoff",
+      command, "tradeoff",
       "Speed against accuracy of every precision, stop rule and grid, compared with brute force in double",
       "balls.scene -o tradeoff", add_options, bench_tradeoff);
 }

@@ -1,7 +1,7 @@
 // What gridbench's subcommands have in common.
 #pragma once
 
-#include "tools/common/device_choice.h"
+#include "tools/common/backend.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 
@@ -41,66 +41,61 @@ struct Output {
 // Adds a subcommand: add_options(command, settings), --json and --threads. Where it is given, run(settings,
 // output) runs with so many threads.
 template <class Settings>
-void add_command(CLI::App& app, const char* name, const char* description, const char* example,
-                 void (*add_options)(CLI::App&, Settings&), void (*run)(const Settings&, Output&)) {
+void add_command(const CommandLine& gridbench, const char* name, const char* description, const char* example,
+                 void (*add_options)(const CommandLine&, Settings&), void (*run)(const Settings&, Output&)) {
   struct Given {
     Settings settings;
     Output output;
     Threads threads;
   };
   const auto given = std::make_shared<Given>(); // owned by the callback
-  CLI::App& command = *app.add_subcommand(name, description);
+  const CommandLine command = gridbench.add_subcommand(name, description);
   command.footer(fmt::format("Example:\n  gridbench {} {}", name, example));
   add_options(command, given->settings);
   command.add_flag("--json", given->output.as_json, "print JSON");
   given->threads.add_to(command);
-  command.callback([given, run] {
+  command.calls([given, run] {
     const auto limit = given->threads.limit();
     run(given->settings, given->output);
     given->output.print_json();
   });
 }
 
-inline void add_scene(CLI::App& command, std::string& scene) {
-  command.add_option("SCENE", scene, "scene file, from nff2bin")->required();
+inline void add_scene(const CommandLine& command, std::string& scene) {
+  command.add_option("SCENE", scene, "scene file, from nff2bin").required();
 }
-inline void add_grid(CLI::App& command, std::string& grid) {
-  command.add_option("GRID", grid, "grid file, from gridbuild")->required();
+inline void add_grid(const CommandLine& command, std::string& grid) {
+  command.add_option("GRID", grid, "grid file, from gridbuild").required();
 }
-inline void add_grids(CLI::App& command, std::vector<std::string>& grids) {
-  command.add_option("GRID", grids, "grid files, from gridbuild")->required();
+inline void add_grids(const CommandLine& command, std::vector<std::string>& grids) {
+  command.add_option("GRID", grids, "grid files, from gridbuild").required();
 }
-inline void add_seed(CLI::App& command, std::uint64_t& seed, const char* what = "seed of the rays") {
-  command.add_option("--seed", seed, what)->capture_default_str();
+inline void add_seed(const CommandLine& command, std::uint64_t& seed, const char* what = "seed of the rays") {
+  command.add_option("--seed", seed, what).shows_default();
 }
 template <class Number>
-void add_count(CLI::App& command, const char* option, Number& count, const char* what, int log2_most,
+void add_count(const CommandLine& command, const char* option, Number& count, const char* what, int log2_most,
                Number least = 1) {
-  command.add_option(option, count, what)
-      ->check(CLI::Range(least, Number{1} << log2_most))
-      ->capture_default_str();
+  command.add_option(option, count, what).range(least, Number{1} << log2_most).shows_default();
 }
-inline void add_repeat(CLI::App& command, int& repeat,
+inline void add_repeat(const CommandLine& command, int& repeat,
                        const char* what = "timed runs after an untimed one; the median counts") {
-  add_number(command, "--repeat", repeat, 1, 1000, what);
+  command.add_number("--repeat", repeat, 1, 1000, what);
 }
-inline void add_warm_up(CLI::App& command, int& warm_up) {
-  add_number(command, "--warm-up", warm_up, 0, 1000, "untimed runs before the timed ones");
+inline void add_warm_up(const CommandLine& command, int& warm_up) {
+  command.add_number("--warm-up", warm_up, 0, 1000, "untimed runs before the timed ones");
 }
-inline void add_picture_size(CLI::App& command, std::string& size, const char* what) {
-  command.add_option("--size", size, what)->type_name("WxH")->capture_default_str();
+inline void add_picture_size(const CommandLine& command, std::string& size, const char* what) {
+  command.add_option("--size", size, what).type_name("WxH").shows_default();
 }
-inline void add_general(CLI::App& command, TracingRules& rules) {
+inline void add_general(const CommandLine& command, TracingRules& rules) {
   command.add_flag("--general", rules.general,
                    "use the kernel for all kinds of primitives, not the one for those in the scene");
 }
 // A list of some of these names.
-inline CLI::Option* add_names(CLI::App& command, const char* option, std::vector<std::string>& names,
-                              const std::set<std::string>& among, const char* what) {
-  return command.add_option(option, names, what)
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember(among));
+inline Option add_names(const CommandLine& command, const char* option, std::vector<std::string>& names,
+                        const std::set<std::string>& among, const char* what) {
+  return command.add_option(option, names, what).type_name("LIST").comma_separated().among(among);
 }
 
 } // namespace masu

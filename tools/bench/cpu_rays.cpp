@@ -146,9 +146,7 @@ void print_agreement(const std::map<std::string, std::vector<Ray<float>>>& sets,
 
 void measure(benchmark::State& state, const Contestant& contestant, std::span<const Ray<float>> rays,
              int threads) {
-  const auto cores = static_cast<std::size_t>(std::max(1U, std::thread::hardware_concurrency()));
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  threads > 0 ? static_cast<std::size_t>(threads) : cores);
+  const ThreadLimit limit = limit_threads(threads > 0 ? static_cast<std::size_t>(threads) : all_cores());
   Hits hits(rays.size());
   while (state.KeepRunning())
     contestant.trace(rays, hits);
@@ -251,25 +249,25 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data()); // removes its own
   return run_tool(
       "masu_cpu_rays", "Closest hits on the CPU: Masu beside Embree, by the same rays.", count,
-      arguments.data(), [](CLI::App& app, const auto& parse) {
+      arguments.data(), [](const CommandLine& command, const auto& parse) {
         Settings settings;
-        app.add_option("SCENE", settings.scene, "scene file of triangles, from nff2bin")->required();
-        app.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
-        app.add_option("--sets", settings.sets, "sets of rays: primary, diffuse, random")
-            ->delimiter(',')
-            ->check(CLI::IsMember(std::set<std::string>{"primary", "diffuse", "random"}));
-        app.add_option("--size", settings.size, "number of primary rays, WxH")->capture_default_str();
-        app.add_option("--random", settings.random, "number of random rays")
-            ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
-            ->capture_default_str();
-        app.add_option("--seed", settings.seed, "seed of diffuse and random rays")->capture_default_str();
-        app.add_option("--threads", settings.threads, "numbers of threads; 0: all cores")
-            ->delimiter(',')
-            ->check(CLI::Range(0, 4096));
-        app.add_option("--repeat", settings.repeat, "timed runs, of which the median counts")
-            ->check(CLI::Range(1, 1000))
-            ->capture_default_str();
-        app.footer("--benchmark_… options are Google Benchmark's.");
+        command.add_option("SCENE", settings.scene, "scene file of triangles, from nff2bin").required();
+        command.add_option("GRID", settings.grids, "grid files, from gridbuild").required();
+        command.add_option("--sets", settings.sets, "sets of rays: primary, diffuse, random")
+            .comma_separated()
+            .among(std::set<std::string>{"primary", "diffuse", "random"});
+        command.add_option("--size", settings.size, "number of primary rays, WxH").shows_default();
+        command.add_option("--random", settings.random, "number of random rays")
+            .range(std::size_t{1}, std::size_t{1} << 28)
+            .shows_default();
+        command.add_option("--seed", settings.seed, "seed of diffuse and random rays").shows_default();
+        command.add_option("--threads", settings.threads, "numbers of threads; 0: all cores")
+            .comma_separated()
+            .range(0, 4096);
+        command.add_option("--repeat", settings.repeat, "timed runs, of which the median counts")
+            .range(1, 1000)
+            .shows_default();
+        command.footer("--benchmark_… options are Google Benchmark's.");
         parse();
         bench_cpu_rays(settings);
       });

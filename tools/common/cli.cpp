@@ -1,4 +1,3 @@
-// Compiled once for all tools, since compiling CLI11 takes longer than most of them.
 #include "tools/common/cli.h"
 
 #include "libscene/base/processor.h"
@@ -9,8 +8,10 @@
 #include "tools/common/version.h"
 
 #include <fcntl.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <exception>
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <new>
 #include <string_view>
+#include <thread>
 
 namespace masu {
 
@@ -91,19 +93,6 @@ void open_closed_streams() {
   }
 }
 
-// An empty value would often be taken for none, and that option ignored; --option= even takes the next
-// argument for its value.
-void refuse_empty_values(const std::string& name, int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    const bool ends = argument.starts_with("--") && argument.find('=') == argument.size() - 1;
-    if (!argument.empty() && !ends) continue;
-    throw Error(ErrorCode::usage, "command line",
-                fmt::format("the value {} {} is empty: give one, or leave it out: see {} --help",
-                            ends ? "of" : "after", ends || i > 1 ? argv[ends ? i : i - 1] : name, name));
-  }
-}
-
 } // namespace
 
 void prepare_process() {
@@ -131,25 +120,8 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
   prepare_process();
   try {
     check_processor();
-    CLI::App app(description, name);
-    app.set_version_flag("--version", fmt::format("{}, {}", name, program_name()));
-    app.formatter_fn(help_text);
-    try {
-      body(app, [&] {
-        refuse_empty_values(name, argc, argv);
-        app.parse(argc, argv);
-      });
-    } catch (const CLI::Success& success) { // --help, --version
-      if (prints.help()) app.exit(success);
-    } catch (const CLI::ParseError& error) {
-      std::string command = name; // with the subcommand whose help lists the options
-      for (const CLI::App* const subcommand : app.get_subcommands())
-        command += " " + subcommand->get_name();
-      const std::string unknown = unknown_option(app, command);
-      return report(ErrorCode::usage,
-                    !unknown.empty() ? unknown
-                                     : fmt::format("command line: {}: see {} --help", error.what(), command));
-    }
+    run_command_line(name, description, fmt::format("{}, {}", name, program_name()), argc, argv, body,
+                     prints.help);
     flush_standard_output();
     return 0;
   } catch (const Error& error) {
@@ -162,6 +134,16 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
   } catch (...) {
     return report(ErrorCode::input, "an unknown error");
   }
+}
+
+ThreadLimit limit_threads(std::size_t threads) {
+  return std::make_shared<const tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+}
+std::size_t allowed_threads() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+std::size_t all_cores() {
+  return std::max(1U, std::thread::hardware_concurrency());
 }
 
 Camera resized(Camera camera, const std::string& size) {

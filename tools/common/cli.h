@@ -3,19 +3,13 @@
 
 #include "libscene/base/error.h"
 #include "libscene/scene.h"
-#include "tools/common/help.h"
+#include "tools/common/command_line.h"
 #include "tools/common/print.h"
 
-#include <CLI/CLI.hpp>
-#include <tbb/global_control.h>
-
-#include <algorithm>
+#include <cstddef>
 #include <functional>
-#include <map>
+#include <memory>
 #include <string>
-#include <thread>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace masu {
@@ -35,68 +29,33 @@ void check_scene_input(const std::string& path);
 // memory doesn't suffice ends with one line and the exit code for that, wherever it is noticed.
 void prepare_process();
 
-// A tool's main: body(app, parse) adds options and an example, the footer, to the app, calls parse(), and
-// runs the tool. Returns the exit code of libscene/base/error.h; 0 for --help.
-using ToolBody = std::function<void(CLI::App& app, const std::function<void()>& parse)>;
 // Of several processes of a tool, which one prints --help and --version, and which one its error.
 struct Printing {
   std::function<bool()> help = [] { return true; }, error = [] { return true; };
 };
+// A tool's main. Returns the exit code of libscene/base/error.h; 0 for --help.
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
              const Printing& prints = {});
-
-// An option whose values have names. The initial `value` is its default, and must be among them.
-template <class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
-                        std::map<std::string, std::type_identity_t<Value>> names, const std::string& help) {
-  std::string all, chosen;
-  for (const auto& [name, named] : names) {
-    all += (all.empty() ? "" : "|") + name;
-    if (named == value) chosen = name;
-  }
-  const auto to_number = [names, all](std::string& text) {
-    const auto found = names.find(text);
-    if (found == names.end()) return fmt::format("'{}' isn't one of {}", text, all);
-    text = std::to_string(static_cast<int>(found->second)); // CLI11 reads enumerations as numbers
-    return std::string();
-  };
-  return app.add_option(option, value, help)
-      ->transform(CLI::Validator(to_number, "", "choice"))
-      ->type_name(all)
-      ->default_str(chosen);
-}
-
-// A number from `least` to `most`, whose initial value is its default.
-template <class Number>
-CLI::Option* add_number(CLI::App& app, const std::string& option, Number& number,
-                        std::type_identity_t<Number> least, std::type_identity_t<Number> most,
-                        const std::string& help) {
-  return app.add_option(option, number, help)->check(CLI::Range(least, most))->capture_default_str();
-}
-
-inline CLI::Option* add_file(CLI::App& app, const std::string& option, std::string& path,
-                             const std::string& help) {
-  return app.add_option(option, path, help)->type_name("FILE");
-}
-
-// -q, among the general options.
-inline void add_quiet(CLI::App& app, bool& quiet, const std::string& help) {
-  app.add_flag("-q,--quiet", quiet, help)->group("General");
-}
 
 // The camera with the pixels of --size WxH; unchanged where `size` is empty. Throws Error(usage).
 Camera resized(Camera camera, const std::string& size);
 
+// No more threads than these compute while the limit lives.
+using ThreadLimit = std::shared_ptr<const void>;
+ThreadLimit limit_threads(std::size_t threads);
+std::size_t allowed_threads(); // that the limits allow
+std::size_t all_cores();
+
 // --threads N; 0: all cores.
 class Threads {
 public:
-  void add_to(CLI::App& app) {
-    add_number(app, "--threads", threads_, 0, 4096, "number of CPU threads; 0: all cores")->group("General");
+  void add_to(const CommandLine& command) {
+    command.add_number("--threads", threads_, 0, 4096, "number of CPU threads; 0: all cores")
+        .under("General");
   }
-  // The limit is in force while the result lives.
-  tbb::global_control limit(std::size_t cores = std::max(1U, std::thread::hardware_concurrency())) const {
-    return {tbb::global_control::max_allowed_parallelism,
-            threads_ > 0 ? static_cast<std::size_t>(threads_) : cores};
+  // Of `cores` where the option isn't given.
+  ThreadLimit limit(std::size_t cores = all_cores()) const {
+    return limit_threads(threads_ > 0 ? static_cast<std::size_t>(threads_) : cores);
   }
 
 private:

@@ -3,9 +3,9 @@
 
 #include "libscene/base/on_threads.h"
 #include "renderer/tracer.h"
+#include "tools/common/cli.h"
 
 #include <tbb/concurrent_queue.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
@@ -15,10 +15,6 @@
 #include <mutex>
 
 namespace masu {
-
-inline std::size_t allowed_threads() {
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-}
 
 // How many tasks are under way at most, of so many bytes each: enough for devices and encoding threads, as
 // far as memory allows.

@@ -40,28 +40,28 @@ Json precision_json(const TracingReport& report, Precision wanted) {
 
 } // namespace
 
-void TracingOptions::add_files(CLI::App& app) {
-  app.add_option("SCENE", scene, "scene file, from nff2bin or mesh2bin");
-  app.add_option("GRID", grid, "grid file, from gridbuild; left out with --brute-force");
+void TracingOptions::add_files(const CommandLine& command) {
+  command.add_option("SCENE", scene, "scene file, from nff2bin or mesh2bin");
+  command.add_option("GRID", grid, "grid file, from gridbuild; left out with --brute-force");
 }
 
-void TracingOptions::add_to(CLI::App& app) {
-  group_options(app, "Tracing");
-  devices.add_to(app);
-  add_precision(app, rules.precision);
-  add_first_cell_hit(app, rules.stop);
-  app.add_flag("--brute-force", brute_force, "test every ray against every primitive, without a grid");
-  app.add_flag("--resume", resume,
-               "go on where a run with --resume was interrupted: what it finished isn't done again");
-  group_options(app, "Reports");
-  auto* const counts =
-      add_file(app, "--stats", stats, "write ray counts and seconds as JSON; counting slows tracing down");
-  add_file(app, "--times", times, "write seconds as JSON, without counting")->excludes(counts);
-  app.add_option("--repeat", repeat, "trace N times and report the median's seconds")
-      ->check(CLI::Range(1, 10000))
-      ->excludes(counts);
-  add_quiet(app, quiet, "no progress and no summary on standard error");
-  threads.add_to(app);
+void TracingOptions::add_to(const CommandLine& command) {
+  command.group("Tracing");
+  devices.add_to(command);
+  add_precision(command, rules.precision);
+  add_first_cell_hit(command, rules.stop);
+  command.add_flag("--brute-force", brute_force, "test every ray against every primitive, without a grid");
+  command.add_flag("--resume", resume,
+                   "go on where a run with --resume was interrupted: what it finished isn't done again");
+  command.group("Reports");
+  const Option counts =
+      command.add_file("--stats", stats, "write ray counts and seconds as JSON; counting slows tracing down");
+  command.add_file("--times", times, "write seconds as JSON, without counting").excludes(counts);
+  command.add_option("--repeat", repeat, "trace N times and report the median's seconds")
+      .range(1, 10000)
+      .excludes(counts);
+  command.add_quiet(quiet, "no progress and no summary on standard error");
+  threads.add_to(command);
 }
 
 void TracingOptions::check(const char* tool) const {
@@ -72,7 +72,7 @@ void TracingOptions::check(const char* tool) const {
     throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file, or give --brute-force");
 }
 
-tbb::global_control TracingOptions::limit_threads(const Ranks& ranks) const {
+ThreadLimit TracingOptions::limit_threads(const Ranks& ranks) const {
   const auto machine = static_cast<std::size_t>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
@@ -88,12 +88,12 @@ TracingRules TracingOptions::tracing() const {
   return tracing;
 }
 
-void add_hit_name(CLI::App& app, HitName& name, const std::string& what) {
-  add_choice(app, "--hit-name", name,
-             {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
-             what +
-                 ": object (index in the NFF text, or of mesh2bin's objects), primitive (index in the scene "
-                 "file) or face (number in the mesh's file)");
+void add_hit_name(const CommandLine& command, HitName& name, const std::string& what) {
+  command.add_choice(
+      "--hit-name", name,
+      {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
+      what + ": object (index in the NFF text, or of mesh2bin's objects), primitive (index in the scene "
+             "file) or face (number in the mesh's file)");
 }
 
 OpenedScene::OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& gpus)
@@ -154,8 +154,8 @@ int run_ranks_tool(const char* name, const char* description, int argc, char** a
   const auto ranks = [&]() -> Ranks& { return started ? *started : started.emplace(&argc, &argv); };
   const int code =
       run_tool(name, description, argc, argv,
-               [&](CLI::App& app, const auto& parse) {
-                 body(app, [&]() -> Ranks& {
+               [&](const CommandLine& command, const auto& parse) {
+                 body(command, [&]() -> Ranks& {
                    parse();
                    return ranks();
                  });

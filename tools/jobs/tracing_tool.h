@@ -5,7 +5,7 @@
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/mapping_faults.h"
 #include "renderer/tracer.h"
-#include "tools/common/device_choice.h"
+#include "tools/jobs/device_choice.h"
 #include "tools/jobs/ranks.h"
 #include "tools/jobs/task_list.h"
 #include "tools/report/tracing_report.h"
@@ -27,19 +27,19 @@ struct TracingOptions {
   int repeat = 1;
   bool brute_force = false, quiet = false, resume = false;
 
-  void add_files(CLI::App& app); // SCENE, GRID
-  void add_to(CLI::App& app);    // all others
+  void add_files(const CommandLine& command); // SCENE, GRID
+  void add_to(const CommandLine& command);    // all others
   // Throws Error(usage) where SCENE or GRID is missing, Error(input) where SCENE has to be converted first.
   void check(const char* tool) const;
   // The limit of --threads, else the cores that this process may use, or its share of the machine's where
   // ranks may use all; in force while the result lives.
-  tbb::global_control limit_threads(const Ranks& ranks) const;
+  ThreadLimit limit_threads(const Ranks& ranks) const;
   TracingRules tracing() const;
   bool has_report() const { return !stats.empty() || !times.empty(); }
 };
 
 // --hit-name. `what`: that it names.
-void add_hit_name(CLI::App& app, HitName& name, const std::string& what);
+void add_hit_name(const CommandLine& command, HitName& name, const std::string& what);
 
 // The scene and the grid, and what traces rays through them.
 class OpenedScene {
@@ -76,7 +76,7 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
 
 // The main of a tool whose processes may be ranks (run_tool() of tools/common/cli.h): parse() returns them.
 // --help and --version need no MPI.
-using RanksToolBody = std::function<void(CLI::App& app, const std::function<Ranks&()>& parse)>;
+using RanksToolBody = std::function<void(const CommandLine& command, const std::function<Ranks&()>& parse)>;
 int run_ranks_tool(const char* name, const char* description, int argc, char** argv,
                    const RanksToolBody& body);
 

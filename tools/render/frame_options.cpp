@@ -4,24 +4,24 @@
 
 namespace masu {
 
-void FrameOptions::add_camera(CLI::App& app) {
-  app.add_option("--size", size, "pixels instead of the view's resolution")->type_name("WxH");
-  app.add_option("--from", from, "where the camera is, instead of the scene's")->type_name("X,Y,Z");
-  app.add_option("--at", at, "the point in the middle of the picture")->type_name("X,Y,Z");
-  app.add_option("--up", up, "the direction that is up in the picture")->type_name("X,Y,Z");
-  app.add_option("--angle", angle, "degrees that the picture's height spans")->type_name("DEGREES");
+void FrameOptions::add_camera(const CommandLine& command) {
+  command.add_option("--size", size, "pixels instead of the view's resolution").type_name("WxH");
+  command.add_option("--from", from, "where the camera is, instead of the scene's").type_name("X,Y,Z");
+  command.add_option("--at", at, "the point in the middle of the picture").type_name("X,Y,Z");
+  command.add_option("--up", up, "the direction that is up in the picture").type_name("X,Y,Z");
+  command.add_option("--angle", angle, "degrees that the picture's height spans").type_name("DEGREES");
 }
 
-void FrameOptions::add_sampling(CLI::App& app) {
-  add_choice(app, "--sampling", sampling, {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
-             "rays through pixel corners, four averaged (corners), or through pixel centers");
-  app.add_flag("--hither", hither, "ignore hits in front of the view's hither plane");
+void FrameOptions::add_sampling(const CommandLine& command) {
+  command.add_choice("--sampling", sampling, {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
+                     "rays through pixel corners, four averaged (corners), or through pixel centers");
+  command.add_flag("--hither", hither, "ignore hits in front of the view's hither plane");
 }
 
-void FrameOptions::add_secondary(CLI::App& app) {
-  add_number(app, "--depth", depth, 1, largest_depth, "largest depth of rays; camera rays have depth 1");
-  app.add_flag("--spd-rules", spd_rules,
-               "spawn the secondary rays that the SPD counts, even those of weight zero");
+void FrameOptions::add_secondary(const CommandLine& command) {
+  command.add_number("--depth", depth, 1, largest_depth, "largest depth of rays; camera rays have depth 1");
+  command.add_flag("--spd-rules", spd_rules,
+                   "spawn the secondary rays that the SPD counts, even those of weight zero");
 }
 
 bool FrameOptions::changes_camera() const {

@@ -17,9 +17,9 @@ struct FrameOptions {
   int depth = 5;
   bool spd_rules = false;
 
-  void add_camera(CLI::App& app);    // --size, --from, --at, --up, --angle
-  void add_sampling(CLI::App& app);  // --sampling, --hither
-  void add_secondary(CLI::App& app); // --depth, --spd-rules
+  void add_camera(const CommandLine& command);    // --size, --from, --at, --up, --angle
+  void add_sampling(const CommandLine& command);  // --sampling, --hither
+  void add_secondary(const CommandLine& command); // --depth, --spd-rules
   // Whether options change the scene's camera.
   bool changes_camera() const;
   // The scene's, changed; whether it can see isn't checked. Throws Error(usage).

@@ -278,22 +278,24 @@ void print_warning(const char* tool, const std::string& input, std::uint64_t num
   if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
 }
 
-void SceneOutput::add_to(CLI::App& app) {
-  group_options(app, "Scene file");
-  add_file(app, "-o,--output", path, "scene file to write");
-  add_choice(app, "--store", store,
-             {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
-             "number type of coordinates; auto: float32 unless its arithmetic is too coarse for the scene");
-  app.add_option(
-         "--origin", origin,
-         "the point that coordinates are stored relative to, so that errors follow the scene's extent "
-         "and not its place: auto (the bounds' centre, or zero where that is nearer than half their "
-         "diagonal), none (zero) or X,Y,Z")
-      ->type_name("ORIGIN")
-      ->capture_default_str();
-  auto* const info_option =
-      app.add_flag("--info", info, "print the numbers of objects and primitives, bounds, store and memory");
-  app.add_flag("--json", json, "print --info as JSON")->needs(info_option);
+void SceneOutput::add_to(const CommandLine& command) {
+  command.group("Scene file");
+  command.add_file("-o,--output", path, "scene file to write");
+  command.add_choice(
+      "--store", store,
+      {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
+      "number type of coordinates; auto: float32 unless its arithmetic is too coarse for the scene");
+  command
+      .add_option(
+          "--origin", origin,
+          "the point that coordinates are stored relative to, so that errors follow the scene's extent "
+          "and not its place: auto (the bounds' centre, or zero where that is nearer than half their "
+          "diagonal), none (zero) or X,Y,Z")
+      .type_name("ORIGIN")
+      .shows_default();
+  const Option info_option = command.add_flag(
+      "--info", info, "print the numbers of objects and primitives, bounds, store and memory");
+  command.add_flag("--json", json, "print --info as JSON").needs(info_option);
 }
 
 void SceneOutput::check() const {

@@ -18,7 +18,7 @@ struct SceneOutput {
   bool info = false, json = false;
 
   // --output, --store, --origin, --info, --json.
-  void add_to(CLI::App& app);
+  void add_to(const CommandLine& command);
   // Throws Error(usage) where there is nothing to do.
   void check() const;
 };

@@ -8,7 +8,7 @@
 #include "renderer/image/image.h"
 #include "renderer/rays/walk_report.h"
 #include "renderer/view_precision.h"
-#include "tools/common/device_choice.h"
+#include "tools/common/backend.h"
 #include "tools/common/provenance.h"
 #include "tools/common/vector_json.h"
 #include "tools/draw/color_map.h"

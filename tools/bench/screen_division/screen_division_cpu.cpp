@@ -2,8 +2,8 @@
 #include "libscene/base/stopwatch.h"
 #include "renderer/dispatch.h"
 #include "tools/bench/screen_division/screen_division.h"
+#include "tools/common/cli.h"
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ void render_tiles(const SceneView<float>& scene, const Grid& grid, const FrameRe
 DividedFrame render_divided_cpu(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,
                                 ScreenDivision division, int workers_each) {
   if (scene.is_float64()) throw Error(ErrorCode::usage, scene.path(), "is float64: divide a float32 scene");
-  const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const std::size_t threads = allowed_threads();
   DividedFrame divided{
       picture_frame(request),
       static_cast<std::uint32_t>(threads * static_cast<std::size_t>(std::max(workers_each, 1)))};

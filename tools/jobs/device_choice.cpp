@@ -1,4 +1,4 @@
-#include "tools/common/device_choice.h"
+#include "tools/jobs/device_choice.h"
 
 #include "tools/common/number_list.h"
 
@@ -7,7 +7,7 @@
 namespace masu {
 namespace {
 
-constexpr const char* option = "--devices";
+constexpr const char* devices_option = "--devices";
 
 // 0,2,…
 std::vector<int> numbers_in(const std::string& text) {
@@ -15,7 +15,7 @@ std::vector<int> numbers_in(const std::string& text) {
   for (const std::string& word : split(text)) {
     std::array<int, 1> number{};
     if (!read_numbers(word, ',', number) || number[0] < 0)
-      throw Error(ErrorCode::usage, option,
+      throw Error(ErrorCode::usage, devices_option,
                   fmt::format("'{}' isn't all, cpu or numbers of GPUs such as 0,2", text));
     numbers.push_back(number[0]);
   }
@@ -30,13 +30,14 @@ std::vector<int> numbers_below(int count) {
 
 } // namespace
 
-void DeviceChoice::add_to(CLI::App& app) {
-  add_backend(app, backend);
-  app.add_option(
-         option, devices,
-         "GPUs that share the work: all, or their numbers, such as 0,2; or cpu. Without it the first GPU, "
-         "or what --backend says")
-      ->type_name("LIST");
+void DeviceChoice::add_to(const CommandLine& command) {
+  add_backend(command, backend);
+  command
+      .add_option(
+          devices_option, devices,
+          "GPUs that share the work: all, or their numbers, such as 0,2; or cpu. Without it the first GPU, "
+          "or what --backend says")
+      .type_name("LIST");
 }
 
 std::vector<int> DeviceChoice::gpus(const char* tool, Ranks& ranks, bool quiet) const {
@@ -62,13 +63,13 @@ std::vector<int> DeviceChoice::gpus_of_machine(const char* tool, Ranks& ranks, b
   const bool on_cpu = devices == "cpu";
   std::vector<int> named = on_cpu || devices == "all" ? std::vector<int>{} : numbers_in(devices);
   if (backend != Backend::automatic && on_cpu != (backend == Backend::cpu))
-    throw Error(ErrorCode::usage, option, "contradicts --backend: leave one of them out");
+    throw Error(ErrorCode::usage, devices_option, "contradicts --backend: leave one of them out");
   if (on_cpu) return {};
   static_cast<void>(use_cuda(Backend::cuda, tool, quiet));
   const int count = cuda_device_count();
   for (const int gpu : named) {
     if (gpu >= count)
-      throw Error(ErrorCode::device, option,
+      throw Error(ErrorCode::device, devices_option,
                   fmt::format("GPU {} isn't there: the last of {} is {}", gpu, count, count - 1));
   }
   if (!named.empty()) return named;

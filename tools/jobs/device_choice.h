@@ -1,0 +1,33 @@
+// The options --backend and --devices of gridrender and gridtrace: which GPUs trace.
+#pragma once
+
+#include "tools/common/backend.h"
+#include "tools/jobs/ranks.h"
+
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// --backend and --devices, of gridrender and gridtrace.
+struct DeviceChoice {
+  Backend backend = Backend::automatic;
+  std::string devices; // all, cpu, or numbers of GPUs
+
+  void add_to(const CommandLine& command);
+  // The GPUs to trace on, or none for the CPU. Says so where a program with CUDA finds no usable GPU. Throws
+  // Error(usage) for what isn't a list of GPUs and for options that contradict each other, Error(device) for
+  // GPUs that are named and aren't there.
+  //
+  // Collective. Ranks of one machine share its GPUs out: by default all of them. Where they are chosen
+  // automatically, all ranks trace on GPUs, or all on CPUs.
+  std::vector<int> gpus(const char* tool, Ranks& ranks, bool quiet) const;
+
+private:
+  std::vector<int> gpus_of_machine(const char* tool, Ranks& ranks, bool quiet) const;
+};
+
+// The CPU's name and number of threads, or the first GPU's name and how many they are.
+std::string devices_name(const std::vector<int>& gpus);
+
+} // namespace masu
