@@ -20,9 +20,6 @@ namespace {
 // Less is allocated without asking how much memory is available, which takes longer than reading it.
 constexpr std::uint64_t small_bytes = std::uint64_t{64} << 20;
 
-// Not blocking: opening a pipe would wait for its writer. Reading a regular file is the same.
-constexpr int open_flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
-
 std::string gigabytes(double bytes) {
   return fmt::format("{:.2g} GB", bytes * 1e-9);
 }
@@ -35,9 +32,13 @@ bool has_changed(int file, const struct stat& opened) {
          now.st_mtim.tv_sec != opened.st_mtim.tv_sec || now.st_mtim.tv_nsec != opened.st_mtim.tv_nsec;
 }
 
+int open_to_read(const std::string& path) {
+  return open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+}
+
 // --- Regular files -----------------------------------------------------------------------------------------
 
-InputFile::InputFile(std::string path) : path_(std::move(path)), file_(open(path_.c_str(), open_flags)) {
+InputFile::InputFile(std::string path) : path_(std::move(path)), file_(open_to_read(path_)) {
   if (file_ < 0) fail(std::string("can't be opened: ") + std::strerror(errno));
   std::string why;
   if (fstat(file_, &opened_) != 0)

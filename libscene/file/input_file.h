@@ -19,6 +19,10 @@ namespace masu {
 // only async-signal-safe functions.
 bool has_changed(int file, const struct stat& opened);
 
+// A descriptor, or -1 with errno. Not blocking: opening a pipe would wait for its writer. Reading a regular
+// file is the same.
+int open_to_read(const std::string& path);
+
 // A regular file, read at any offset by any thread.
 class InputFile {
 public:

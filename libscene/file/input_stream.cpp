@@ -1,6 +1,7 @@
 #include "libscene/file/input_stream.h"
 
 #include "libscene/base/error.h"
+#include "libscene/file/input_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -13,16 +14,14 @@
 namespace masu {
 namespace {
 
-// Not blocking: opening a pipe would wait for its writer. Reading a regular file is the same.
-constexpr int open_flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
 // Between two looks at whether it is cancelled.
-constexpr std::chrono::milliseconds pause(50), longest_without_writer(5000);
+constexpr std::chrono::milliseconds between_looks(50), longest_without_writer(5000);
 
 } // namespace
 
 InputStream::InputStream(const std::string& path)
     : name_(path == "-" ? "stdin" : path), is_ours_(path != "-"),
-      file_(path == "-" ? STDIN_FILENO : open(path.c_str(), open_flags)) {
+      file_(path == "-" ? STDIN_FILENO : open_to_read(path)) {
   if (file_ < 0) fail(std::string("can't be opened: ") + std::strerror(errno));
   if (fstat(file_, &opened_) != 0) opened_.st_mode = 0; // reading tells why
 }
@@ -68,13 +67,13 @@ std::size_t InputStream::read_some(void* to, std::size_t bytes) {
 // Waits a moment for bytes, for the end, or for an error.
 bool InputStream::is_readable() const {
   pollfd readable{file_, POLLIN, 0};
-  return poll(&readable, 1, static_cast<int>(pause.count())) != 0;
+  return poll(&readable, 1, static_cast<int>(between_looks.count())) != 0;
 }
 
 void InputStream::wait_for_writer() {
-  if ((waited_ += pause) > longest_without_writer)
+  if ((waited_ += between_looks) > longest_without_writer)
     fail("is a pipe that nobody writes to: start its writer first");
-  std::this_thread::sleep_for(pause);
+  std::this_thread::sleep_for(between_looks);
 }
 
 } // namespace masu
