@@ -49,8 +49,9 @@ if [ "${1:-}" = --full ]; then
     ctest --test-dir build/tsan --output-on-failure --parallel "$cores" -L unit
 
   step "clang-tidy"
+  build build/tidy -DMASU_UNITY=OFF "${cuda_options[@]}" -- --target masu_schemas # a command for each source
   find api libscene libgrid renderer tools -name '*.cpp' ! -name '*_none.cpp' |
-    xargs -P "$cores" -n 1 clang-tidy -p build --quiet
+    xargs -P "$cores" -n 1 clang-tidy -p build/tidy --quiet
 
   step "fuzz targets, 20 s each"
   build build/fuzz -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ -DMASU_FUZZ=ON -DMASU_CUDA=OFF -- \

@@ -18,7 +18,7 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::json;
+using ViewJson = nlohmann::json;
 
 constexpr std::int32_t largest_side = 65536; // pixels
 
@@ -30,7 +30,7 @@ constexpr std::int32_t largest_side = 65536; // pixels
 
 struct Line {
   std::string place; // path:line
-  Json json;
+  ViewJson json;
 
   [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorCode::input, place, message); }
 
@@ -42,16 +42,16 @@ struct Line {
 
   std::optional<Vec3d> vector(const char* key) const {
     if (!json.contains(key)) return {};
-    const Json& value = json[key];
-    if (!value.is_array() || value.size() != 3 || !std::ranges::all_of(value, &Json::is_number))
+    const ViewJson& value = json[key];
+    if (!value.is_array() || value.size() != 3 || !std::ranges::all_of(value, &ViewJson::is_number))
       fail(fmt::format("{} isn't [x, y, z]", key));
     return Vec3d{value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
   }
 
   std::optional<Vec3i> size() const {
     if (!json.contains("size")) return {};
-    const Json& value = json["size"];
-    const auto is_side = [](const Json& side) {
+    const ViewJson& value = json["size"];
+    const auto is_side = [](const ViewJson& side) {
       return side.is_number_integer() && side >= 1 && side <= largest_side;
     };
     if (!value.is_array() || value.size() != 2 || !std::ranges::all_of(value, is_side))
@@ -76,7 +76,7 @@ struct Line {
 };
 
 Line parsed(const std::string& text, std::string place) {
-  Line line{std::move(place), Json::parse(text, nullptr, false)};
+  Line line{std::move(place), ViewJson::parse(text, nullptr, false)};
   if (!line.json.is_object()) line.fail("isn't a JSON object: give {\"from\": [x, y, z], …} in one line");
   constexpr std::array known{"name", "from", "at", "up", "angle", "size"};
   for (const auto& [key, value] : line.json.items()) {

@@ -13,7 +13,7 @@
 namespace masu {
 namespace {
 
-constexpr std::int32_t largest_side = 8192;
+constexpr std::int32_t most_pixels_across = 8192;
 
 // Of a request. Every one is to be read: what is left over is unknown.
 class Parameters {
@@ -62,8 +62,8 @@ Camera camera_of(const Viewer& viewer, Parameters& parameters) {
   camera.at = parameters.vector("at");
   camera.up = parameters.vector("up");
   camera.angle = parameters.number<double>("angle", 0, 180);
-  camera.width = parameters.number<std::int32_t>("width", 1, largest_side);
-  camera.height = parameters.number<std::int32_t>("height", 1, largest_side);
+  camera.width = parameters.number<std::int32_t>("width", 1, most_pixels_across);
+  camera.height = parameters.number<std::int32_t>("height", 1, most_pixels_across);
   if (std::int64_t{camera.width} * camera.height > most_pixels)
     throw Error(ErrorCode::usage, "width", fmt::format("and height make more than {} pixels", most_pixels));
   if (const auto fault = fault_of(camera, camera_places(viewer.scene())))
