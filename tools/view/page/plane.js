@@ -90,6 +90,7 @@ class SlicePlot {
     const at = this.window(slice, zoom);
     const [i, j] = slice.axes;
     const rectangle = ({min, max}) => [at.x(min[i]), at.y(max[j]), (max[i] - min[i]) * at.scale, (max[j] - min[j]) * at.scale];
+    const pathOf = (boxes) => boxes.reduce((path, box) => (path.rect(...rectangle(box)), path), new Path2D());
     const stroke = (path, style, width, dash = []) => {
       context.strokeStyle = style;
       context.lineWidth = width * pixel;
@@ -104,27 +105,20 @@ class SlicePlot {
       return path;
     };
     if (ray) {
-      const visited = new Path2D();
+      const visited = ray.steps.slice(0, step + 1).map(({box}) => box);
       context.fillStyle = 'rgba(40, 130, 255, 0.16)';
-      for (const {box} of ray.steps.slice(0, step + 1)) {
-        visited.rect(...rectangle(box));
-        context.fillRect(...rectangle(box));
-      }
-      stroke(visited, '#0b5cad', 1.4);
+      for (const box of visited) context.fillRect(...rectangle(box)); // darker where boxes overlap
+      stroke(pathOf(visited), '#0b5cad', 1.4);
       // What becomes of the boxes of a hierarchy's node; those that the plane doesn't cut are missed.
-      for (const [fate, boxes] of Object.entries(this.fates(slice, cells, ray, step))) {
-        const path = new Path2D();
-        for (const box of boxes) path.rect(...rectangle(box));
-        stroke(path, FATES[fate], 2, fate === 'met' ? [] : [4 * pixel, 3 * pixel]);
-      }
-      const current = new Path2D();
-      if (ray.steps[step]) current.rect(...rectangle(ray.steps[step].box));
+      for (const [fate, boxes] of Object.entries(this.fates(slice, cells, ray, step)))
+        stroke(pathOf(boxes), FATES[fate], 2, fate === 'met' ? [] : [4 * pixel, 3 * pixel]);
+      const current = pathOf(ray.steps[step] ? [ray.steps[step].box] : []);
       stroke(current, '#000', 5);
       stroke(current, '#ffc61a', 3);
     }
     if (this.hovered && this.isHierarchy) {
       const {around, within} = kin(slice.cells, this.hovered);
-      const path = (boxes) => boxes.reduce((made, box) => (made.rect(...rectangle(sliceBox(slice, box))), made), new Path2D());
+      const path = (boxes) => pathOf(boxes.map((box) => sliceBox(slice, box)));
       around.forEach((box, i) => {
         context.globalAlpha = Math.max(0.25, 0.85 - 0.15 * i);
         stroke(path([box]), KIN, 2);
@@ -166,14 +160,19 @@ class SlicePlot {
     return fates;
   }
 
-  dot(context, x, y, radius, color) {
-    context.beginPath();
-    context.arc(x, y, radius * this.pixel, 0, 7);
+  // With a white edge.
+  mark(context, path, color) {
     context.fillStyle = color;
-    context.fill();
+    context.fill(path);
     context.strokeStyle = '#fff';
     context.lineWidth = 2 * this.pixel;
-    context.stroke();
+    context.stroke(path);
+  }
+
+  dot(context, x, y, radius, color) {
+    const path = new Path2D();
+    path.arc(x, y, radius * this.pixel, 0, 7);
+    this.mark(context, path, color);
   }
 
   arrow(context, at, {from, to}) {
@@ -185,11 +184,7 @@ class SlicePlot {
       else path.lineTo(...point);
     });
     path.closePath();
-    context.fillStyle = '#1d1d1b';
-    context.fill(path);
-    context.strokeStyle = '#fff';
-    context.lineWidth = 2 * this.pixel;
-    context.stroke(path);
+    this.mark(context, path, '#1d1d1b');
   }
 }
 
