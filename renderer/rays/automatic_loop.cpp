@@ -94,8 +94,8 @@ WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Pre
 // measured to take about as long as 2.7 steps and tests, a thread traces a ray to its end. Where rays are so
 // alike that few of them wait, nothing need be fetched; but their tests are shared if most threads would wait
 // for those of a few. Rays that end at any hit are done at different times however alike they are: for these
-// all that counts is how long the others wait, in hierarchies also beside a ray's own length. docs/algorithm.md
-// says how near to the best loop's rate that comes.
+// all that counts is how long the others wait, in hierarchies also beside a ray's own length.
+// docs/algorithm.md says how near to the best loop's rate that comes.
 RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy) {
   constexpr double fetching = 2.7, alike = 2.2, shared = 1.7;
   const double waiting = costs.most_work - costs.work;
