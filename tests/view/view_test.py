@@ -615,10 +615,11 @@ class Page(unittest.TestCase):
                         continue  # its middle is too near to an end
                     start = [(a + b) / 2 for a, b in zip(*ends)] if end == "both" else ends[end]
                     if end == "both":
-                        to = [a + choice.uniform(-15, 15) for a in start]
+                        places = ([a + choice.uniform(-15, 15) for a in start] for _ in range(10**4))
                     else:  # not so near to the other end that the next drag might take either
                         places = ([choice.uniform(-side, side) for side in box] for _ in range(10**4))
-                        to = next(at for at in places if math.dist(at, ends[1 - end]) > 60)
+                        places = (at for at in places if math.dist(at, ends[1 - end]) > 60)
+                    to = next(at for at in places if math.dist(at, start) > 8)  # farther than a click may move
                     self.drag(plot, start, to, touch)
                     ray = self.js("return walkPanel.ray")
                     self.assertNotEqual(ray, before)
