@@ -101,7 +101,8 @@ std::string line_of(const CLI::Option& option, std::size_t width) {
   std::string notes;
   const auto note = [&](const std::string& text) { notes += (notes.empty() ? " (" : "; ") + text; };
   if (!value.range.empty()) note(value.range);
-  if (!option.get_default_str().empty()) note("default " + option.get_default_str());
+  const std::string usual = option.get_default_str();
+  if (!usual.empty() && usual != "[]") note("default " + usual); // [] is an empty list
   std::string excluded;
   for (const CLI::Option* const other : option.get_excludes())
     excluded += (excluded.empty() ? "not with " : ", ") + other->get_name();
