@@ -42,6 +42,19 @@ MASU_HD inline NodeAxis<Real> node_axis(float origin, std::uint32_t exponent, Re
   return {scale, fma(Real(-plane_offset), scale, (static_cast<Real>(origin) - from) * inverse)};
 }
 
+template <class Real>
+struct NodeAxes {
+  NodeAxis<Real> x, y, z;
+};
+template <class Real>
+MASU_HD inline NodeAxes<Real> node_axes(const HierarchyNode& node, const Vec3<Real>& origin,
+                                        const Vec3<Real>& inverse) {
+  const std::uint32_t e = node.exponents;
+  return {node_axis(node.origin[0], e & 0xff, origin.x, inverse.x),
+          node_axis(node.origin[1], e >> 8 & 0xff, origin.y, inverse.y),
+          node_axis(node.origin[2], e >> 16 & 0xff, origin.z, inverse.z)};
+}
+
 // Where a ray enters a box, t >= 0, as a whole number: in the same order, and rounded down.
 MASU_HD inline std::uint32_t entry_bits(float t) {
   return bits_of(t) & 0x7fffffffU; // -0 is 0
@@ -138,10 +151,8 @@ MASU_HD inline std::uint32_t met_bits(std::uint32_t slot) {
 template <class Real>
 MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& origin,
                                   const Vec3<Real>& inverse, Real t_max) {
-  const std::uint32_t e = node.exponents;
-  const NodeAxis<Real> x = node_axis(node.origin[0], e & 0xff, origin.x, inverse.x),
-                       y = node_axis(node.origin[1], e >> 8 & 0xff, origin.y, inverse.y),
-                       z = node_axis(node.origin[2], e >> 16 & 0xff, origin.z, inverse.z);
+  const NodeAxes<Real> axes = node_axes(node, origin, inverse);
+  const NodeAxis<Real>&x = axes.x, &y = axes.y, &z = axes.z;
   const bool up_x = inverse.x >= 0, up_y = inverse.y >= 0, up_z = inverse.z >= 0;
   MetBoxes met;
 #ifdef __CUDA_ARCH__

@@ -44,10 +44,8 @@ __device__ inline bool regroup(unsigned holders, WalkingRay<TestRay>& own, Hiera
 template <int log2, class Real>
 __device__ inline MetBoxes boxes_met_by_lane(const HierarchyNode& node, const Vec3<Real>& origin,
                                              const Vec3<Real>& inverse, Real t_max, unsigned sub) {
-  const std::uint32_t e = node.exponents;
-  const NodeAxis<Real> x = node_axis(node.origin[0], e & 0xff, origin.x, inverse.x),
-                       y = node_axis(node.origin[1], e >> 8 & 0xff, origin.y, inverse.y),
-                       z = node_axis(node.origin[2], e >> 16 & 0xff, origin.z, inverse.z);
+  const NodeAxes<Real> axes = node_axes(node, origin, inverse);
+  const NodeAxis<Real>&x = axes.x, &y = axes.y, &z = axes.z;
   const bool up_x = inverse.x >= 0, up_y = inverse.y >= 0, up_z = inverse.z >= 0;
   MetBoxes met;
 #pragma unroll
