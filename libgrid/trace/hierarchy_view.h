@@ -9,7 +9,7 @@
 
 #include "libscene/base/fetch.h"
 #include "libscene/geometry/box.h"
-#include "libscene/geometry/primitives.h"
+#include "libscene/geometry/intersect.h"
 
 #include <cmath>
 
@@ -73,12 +73,12 @@ struct HierarchyView {
   const PrimitiveIndex* references;
 };
 
-// The same of a scene of triangles alone, on a GPU: in the references' place copies of their triangles, each
-// with its index as its object. A box's triangles lie side by side, and nothing is read to find them.
+// The same on a GPU: in the references' place copies of their primitives. A box's lie side by side, and
+// nothing is read to find them.
 template <class Real, class Stored>
 struct LeafHierarchyView {
   const HierarchyNode* nodes;
-  const Triangle<Stored>* triangles;
+  const Leaf<Stored>* leaves;
 };
 
 } // namespace masu

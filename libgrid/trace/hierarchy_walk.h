@@ -273,7 +273,7 @@ MASU_HD inline void show(const HierarchyView<Real>& hierarchy, std::uint32_t ref
 template <class Real, class Stored, class Visitor>
 MASU_HD inline void show(const LeafHierarchyView<Real, Stored>& hierarchy, std::uint32_t reference,
                          Visitor& visitor) {
-  visitor.triangle(hierarchy.triangles + reference);
+  visitor.leaf(hierarchy.leaves + reference);
 }
 
 // A walk under way.

@@ -84,11 +84,12 @@ struct NearestHit {
     }
   }
   // Of LeafHierarchyView.
-  MASU_HD void triangle(const Triangle<Stored>* leaf) {
-    const Triangle<Stored> triangle = fetched(leaf);
-    const auto number = static_cast<PrimitiveIndex>(triangle.object);
+  MASU_HD void leaf(const Leaf<Stored>* address) {
+    const Leaf<Stored> leaf = fetched(address);
+    const PrimitiveIndex number = leaf.primitive();
     Real t;
-    if (intersect_triangle(ray, triangle, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
+    if (intersect<M::kinds>(scene, ray, number, leaf, t, counts) && is_nearer(t, number, hit))
+      hit = {t, number};
   }
 #ifdef MASU_HOST_AVX2
   void met(Real t, PrimitiveIndex number) requires tests_four_triangles<M, Stored> {
@@ -124,9 +125,11 @@ struct AnyHit {
       if constexpr (records_walk<Counts>) counts.kept();
     }
   }
-  MASU_HD void triangle(const Triangle<Stored>* leaf) {
+  MASU_HD void leaf(const Leaf<Stored>* address) {
+    if (found()) return;
+    const Leaf<Stored> leaf = fetched(address);
     Real t;
-    if (!found() && intersect_triangle(ray, fetched(leaf), t, counts) && t < t_max) hit = t;
+    if (intersect<M::kinds>(scene, ray, leaf.primitive(), leaf, t, counts) && t < t_max) hit = t;
   }
 #ifdef MASU_HOST_AVX2
   void met(Real t, PrimitiveIndex) requires tests_four_triangles<M, Stored> {

@@ -22,37 +22,79 @@ struct NoTestCounts {
   MASU_HD void cone_test() {}
 };
 
-// Whether the ray meets the triangle at a t > 0; then `t` is that.
-template <class TestRay, class Stored, class Counts>
-MASU_HD inline bool intersect_triangle(const TestRay& ray, const Triangle<Stored>& triangle,
-                                       typename TestRay::Real& t, Counts& counts) {
-  counts.triangle_test();
-  return intersect(ray, triangle, t) && t > 0;
+// Where a test takes a primitive's record from: the scene's arrays.
+template <class Stored>
+struct SceneRecord {
+  const SceneView<Stored>& scene;
+  PrimitiveIndex primitive;
+
+  MASU_HD Triangle<Stored> triangle() const { return fetched(scene.triangles + primitive); }
+  MASU_HD Sphere<Stored> sphere() const {
+    return fetched(scene.spheres + (primitive - scene.triangle_count));
+  }
+  MASU_HD Cone<Stored> cone() const {
+    return fetched(scene.cones + (primitive - scene.triangle_count - scene.sphere_count));
+  }
+};
+
+// A copy of any primitive in the record of a triangle, with its index as its object.
+template <class Stored>
+struct Leaf {
+  Triangle<Stored> record;
+
+  MASU_HD PrimitiveIndex primitive() const { return static_cast<PrimitiveIndex>(record.object); }
+  MASU_HD const Triangle<Stored>& triangle() const { return record; }
+  MASU_HD Sphere<Stored> sphere() const { return {record.a, record.b.x}; }
+  MASU_HD Cone<Stored> cone() const { return {record.a, record.c.x, record.b, record.c.y}; }
+};
+template <class Stored>
+MASU_HD inline Leaf<Stored> leaf_of(const SceneView<Stored>& scene, PrimitiveIndex primitive) {
+  const SceneRecord<Stored> from{scene, primitive};
+  Triangle<Stored> record{};
+  if (primitive < scene.triangle_count) {
+    record = from.triangle();
+  } else if (primitive - scene.triangle_count < scene.sphere_count) {
+    const Sphere<Stored> sphere = from.sphere();
+    record.a = sphere.center;
+    record.b.x = sphere.radius;
+  } else {
+    const Cone<Stored> cone = from.cone();
+    record.a = cone.base;
+    record.b = cone.apex;
+    record.c = {cone.base_radius, cone.apex_radius, 0};
+  }
+  record.object = primitive;
+  return {record};
 }
 
-// Whether the ray meets the primitive at a t > 0; then `t` is the nearest. Calls the member of `counts` for
-// the test that was run. The type of ray selects the formulas: PreparedRay and WatertightRay the robust ones,
-// TextbookRay those of textbook.h.
-template <unsigned kinds, class TestRay, class Stored, class Counts>
+// Whether the ray meets the primitive at a t > 0; then `t` is the nearest. `from` has its record: SceneRecord
+// or Leaf. Calls the member of `counts` for the test that was run. The type of ray selects the formulas:
+// PreparedRay and WatertightRay the robust ones, TextbookRay those of textbook.h.
+template <unsigned kinds, class TestRay, class Stored, class From, class Counts>
 MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
-                              typename TestRay::Real& t, Counts& counts) {
+                              const From& from, typename TestRay::Real& t, Counts& counts) {
   if constexpr ((kinds & with_triangles) != 0) {
-    if (kinds == with_triangles || primitive < scene.triangle_count)
-      return intersect_triangle(ray, fetched(scene.triangles + primitive), t, counts);
+    if (kinds == with_triangles || primitive < scene.triangle_count) {
+      counts.triangle_test();
+      return intersect(ray, from.triangle(), t) && t > 0;
+    }
   }
-  const std::uint32_t sphere = primitive - scene.triangle_count;
   if constexpr ((kinds & with_spheres) != 0) {
-    if ((kinds & with_cones) == 0 || sphere < scene.sphere_count) {
+    if ((kinds & with_cones) == 0 || primitive - scene.triangle_count < scene.sphere_count) {
       counts.sphere_test();
-      return intersect(ray, fetched(scene.spheres + sphere), t);
+      return intersect(ray, from.sphere(), t);
     }
   }
   if constexpr ((kinds & with_cones) != 0) {
     counts.cone_test();
-    return intersect<(kinds & with_tapers) != 0>(ray, fetched(scene.cones + (sphere - scene.sphere_count)),
-                                                 t);
+    return intersect<(kinds & with_tapers) != 0>(ray, from.cone(), t);
   }
   return false;
+}
+template <unsigned kinds, class TestRay, class Stored, class Counts>
+MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
+                              typename TestRay::Real& t, Counts& counts) {
+  return intersect<kinds>(scene, ray, primitive, SceneRecord<Stored>{scene, primitive}, t, counts);
 }
 
 template <class Stored>

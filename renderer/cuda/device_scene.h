@@ -75,10 +75,6 @@ struct DeviceGrid {
     return merged_view_of<Real>(records);
   }
   template <class Real>
-  HierarchyView<Real> moved(const HierarchyView<Real>&) const {
-    return hierarchy_view_of<Real>(records);
-  }
-  template <class Real>
   AnyStructure<Real> moved(const AnyStructure<Real>& any) const {
     if (any.structure == Structure::none) return any;
     AnyStructure<Real> moved = any_structure<Real>(records);
@@ -93,7 +89,7 @@ struct DeviceFilesOf {
   Queue queue; // null stream, own pool
   DeviceScene<Stored> scene;
   DeviceGrid grid;
-  DeviceArray<Triangle<Stored>> leaves; // of a hierarchy of triangles alone: LeafHierarchyView
+  DeviceArray<Leaf<Stored>> leaves; // of LeafHierarchyView
   std::shared_ptr<KernelCache> kernels = std::make_shared<KernelCache>();
 
   DeviceFilesOf(const SceneFile& host_scene, const GridFile* host_grid, cudaMemPool_t pool, Transfer& upload)
@@ -109,30 +105,27 @@ struct DeviceFilesOf {
     grid.nodes = shared(std::move(moved.nodes));
   }
 
-  // When the files are there and checked. (No kernel of doubles takes triangles from a hierarchy's leaves.)
+  // When the files are there and checked. Scenes of doubles are traced through the hierarchy's references.
   void make_leaves() {
-    const bool has_others = scene.view.sphere_count > 0 || scene.view.cone_count > 0;
     const std::size_t count = grid.records.reference_count;
-    if (!std::is_same_v<Stored, float> || !grid.records.is_hierarchy || has_others || count == 0) return;
-    leaves = DeviceArray<Triangle<Stored>>(count, queue);
-    const Triangle<Stored>* const triangles = scene.view.triangles;
+    if (!std::is_same_v<Stored, float> || !grid.records.is_hierarchy || count == 0) return;
+    leaves = DeviceArray<Leaf<Stored>>(count, queue);
+    const SceneView<Stored> primitives = scene.view;
     const PrimitiveIndex* const references = grid.records.references;
-    Triangle<Stored>* const leaf = leaves.data();
-    for_each_on_device(count, queue.stream, [=] __device__(std::uint64_t i) {
-      Triangle<Stored> copy = triangles[references[i]];
-      copy.object = references[i];
-      leaf[i] = copy;
-    });
+    Leaf<Stored>* const leaf = leaves.data();
+    for_each_on_device(count, queue.stream,
+                       [=] __device__(std::uint64_t i) { leaf[i] = leaf_of(primitives, references[i]); });
     check(cudaStreamSynchronize(queue.stream));
   }
 
-  // The accelerator as kernels of a method have it.
-  template <class M, class View>
+  // The accelerator as kernels have it.
+  template <class View>
   auto moved(const View& view) const {
-    if constexpr (is_hierarchy<View> && M::kinds == with_triangles)
-      return LeafHierarchyView<typename M::Real, Stored>{grid.records.nodes, leaves.data()};
-    else
-      return grid.moved(view);
+    return grid.moved(view);
+  }
+  template <class Real>
+  LeafHierarchyView<Real, Stored> moved(const HierarchyView<Real>&) const {
+    return {grid.records.nodes, leaves.data()};
   }
 };
 

@@ -48,7 +48,7 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
   const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
                                   queue);
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
-    const auto grid = files.template moved<M>(view);
+    const auto grid = files.moved(view);
     const auto rays =
         camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
     const auto tiles = [](std::int32_t side) {

@@ -97,11 +97,10 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
 }
 
 // Whether thread_per_ray traces a warp's last rays by groups. On an H100 it gains up to 21 % through
-// hierarchies of triangles. Cones are tested by more registers: primary rays of tree lose 23 %.
-template <class Hierarchy>
-constexpr bool has_groups = false;
-template <class Real, class Stored>
-constexpr bool has_groups<LeafHierarchyView<Real, Stored>> = true;
+// hierarchies of triangles. Other kinds are tested by more registers: primary rays of balls lose 4 %, of tree
+// 23 %.
+template <class Grid, class M>
+constexpr bool has_groups = is_hierarchy<Grid> && M::kinds == with_triangles;
 
 // Traces through a hierarchy by thread_per_ray or warp_refill.
 template <Query query, class M, class Stored, class Hierarchy>
@@ -139,7 +138,7 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
   const auto& scene = files.scene.view;
   const bool by_warps = request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps;
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
-    const auto grid = files.template moved<M>(view);
+    const auto grid = files.moved(view);
     using Accelerator = std::decay_t<decltype(grid)>;
     with_query(request.query, [&]<Query query>(QueryTag<query>) {
       // Lists go through uniform grids for comparison: for all kinds.
@@ -159,13 +158,13 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
           }
         } else {
           // `warp` is of grids.
-          if (request.loop == RayLoop::warp_refill || has_groups<Accelerator>) {
+          if (request.loop == RayLoop::warp_refill || has_groups<Accelerator, Used>) {
             size = trace_by_hierarchy<query, Used>(files, grid, request.loop, batch);
             return;
           }
         }
       }
-      if constexpr (!has_loops || !has_groups<Accelerator>) {
+      if constexpr (!has_loops || !has_groups<Accelerator, Used>) {
         auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
         size = files.kernels->of(kernel, rays_per_block).size;
         batch.begin();
