@@ -1,6 +1,7 @@
 // gridrender: reads a scene and its grid, and writes pictures of it, channels and the camera rays' hits.
 #include "libscene/file/output_file.h"
 #include "renderer/image/image.h"
+#include "renderer/image/jpeg_file.h"
 #include "tools/common/progress.h"
 #include "tools/common/version.h"
 #include "tools/jobs/tracing_tool.h"
@@ -15,7 +16,7 @@
 namespace masu {
 namespace {
 
-enum class Format { automatic, png, pfm };
+enum class Format { automatic, png, jpeg, pfm };
 
 struct Settings {
   TracingOptions tracing;
@@ -23,6 +24,7 @@ struct Settings {
   std::string output, hits, views, crop, channels;
   int turntable = 0; // views; 0: none
   Format format = Format::automatic;
+  std::optional<int> quality; // of a JPEG
   HitName hit_name = HitName::object;
   ChannelFormat channel_format = ChannelFormat::pfm;
   std::uint32_t channel_high = 0; // 0: of each picture's own values
@@ -32,6 +34,7 @@ struct Settings {
 // Of the picture, by --format or else by the name's end; PNG on standard output. Throws Error(usage).
 ImageFormat format_of(const Settings& settings) {
   if (settings.format == Format::pfm) return ImageFormat::pfm;
+  if (settings.format == Format::jpeg) return ImageFormat::jpeg;
   if (settings.format == Format::png || is_standard_output(settings.output)) return ImageFormat::png;
   return image_format(settings.output);
 }
@@ -39,6 +42,13 @@ ImageFormat format_of(const Settings& settings) {
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& more) {
   first.insert(first.end(), more.begin(), more.end());
   return first;
+}
+
+bool writes_jpeg(const Settings& settings) {
+  return !settings.output.empty() && !settings.no_picture && format_of(settings) == ImageFormat::jpeg;
+}
+int quality_of(const Settings& settings) {
+  return settings.quality.value_or(90);
 }
 
 // Whether anything but channels is to be traced.
@@ -66,6 +76,9 @@ void check(const Settings& settings, const Sharing& sharing) {
     fail("--resume", "needs a picture or --hits: nothing else is kept");
   check_hits_name("--hits", settings.hits);
   if (!settings.output.empty()) static_cast<void>(format_of(settings));
+  if (settings.quality && !writes_jpeg(settings)) fail("--quality", "is for pictures in JPEG");
+  if (writes_jpeg(settings) && !has_libjpeg())
+    fail("--format", "JPEG needs libjpeg-turbo, which wasn't found at build: write a PNG");
   if (sharing.ranks.count() > 1 && settings.views == "-")
     fail("--views", "must name a file, for several ranks");
   const TracingOptions& tracing = settings.tracing;
@@ -134,6 +147,7 @@ PngTexts picture_texts(const Settings& settings, const SceneFile& scene) {
   if (frame.spd_rules) options += " --spd-rules";
   if (frame.hither) options += " --hither";
   if (settings.srgb) options += " --srgb";
+  if (writes_jpeg(settings)) options += fmt::format(" --quality {}", quality_of(settings));
   return {{"Software", program_name()}, {"Source", "scene " + to_hex(scene.hash())}, {"Options", options}};
 }
 
@@ -152,8 +166,9 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
       request.frame.window = window_of(crop, view.camera, settings.frame.sampling, "--crop");
   }
   const PngTexts texts = picture_texts(settings, scene);
-  if (!settings.output.empty())
-    request.image = {format_of(settings), settings.frame.sampling, settings.srgb, texts};
+  if (!settings.output.empty() && !settings.no_picture)
+    request.image = {format_of(settings), settings.frame.sampling, settings.srgb, texts,
+                     quality_of(settings)};
   request.repeat = settings.tracing.repeat;
   request.description =
       run_description(opened, request.frame.tracing,
@@ -207,13 +222,18 @@ void add_options(const CommandLine& command, Settings& settings) {
   settings.tracing.add_files(command);
   command.group("Output");
   command.add_file("-o,--output", settings.output,
-                   "picture: .png, or .pfm for linear floats; - is standard output; of several views with "
-                   "{index} or {name} in it");
-  command.add_choice("--format", settings.format,
-                     {{"auto", Format::automatic}, {"png", Format::png}, {"pfm", Format::pfm}},
-                     "the picture's format; auto: by the name's end, PNG on standard output");
+                   "picture: .png, .jpg, or .pfm for linear floats; - is standard output; of several views "
+                   "with {index} or {name} in it");
+  command.add_choice(
+      "--format", settings.format,
+      {{"auto", Format::automatic}, {"png", Format::png}, {"jpg", Format::jpeg}, {"pfm", Format::pfm}},
+      "the picture's format; auto: by the name's end, PNG on standard output");
+  command.add_option("--quality", settings.quality, "of a JPEG: 100 is best")
+      .type_name("N")
+      .range(1, 100)
+      .default_text("90");
   command.add_flag("--srgb", settings.srgb,
-                   "encode PNG values as sRGB; without it they are stored as they are");
+                   "encode PNG and JPEG values as sRGB; without it they are stored as they are");
   command.add_file(
       "--hits", settings.hits,
       "write a record for each camera ray: float t (infinity for a miss), int32 object (-1 for a "

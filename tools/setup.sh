@@ -74,8 +74,8 @@ benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays and gridbench st
 # file: for cpack; help2man: for man pages
 # libgmp-dev: for exact hits; patchelf, python3-venv: for wheels of the Python module
 tests=(file gnuplot-nox help2man libgmp-dev patchelf python3-numpy python3-venv) # beside libgtest-dev, which all of them need
-# libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview; libopenmpi-dev,
-# openmpi-bin: for gridrender-mpi and gridtrace-mpi
+# libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview, and of them the last two
+# for JPEG pictures; libopenmpi-dev, openmpi-bin: for gridrender-mpi and gridtrace-mpi
 extras=(libassimp-dev libcpp-httplib-dev libopenmpi-dev libturbojpeg0-dev ninja-build openmpi-bin pkg-config)
 
 # Sets cuda_options for cmake.
@@ -137,6 +137,7 @@ build() {
       { ! grep -q 'Tools for MPI: off' "$log" || echo "== no MPI (libopenmpi-dev): building without gridrender-mpi and gridtrace-mpi"; } &&
       { ! grep -q 'gridview: off' "$log" ||
         echo "== no cpp-httplib or libjpeg-turbo (libcpp-httplib-dev, libturbojpeg0-dev, pkg-config): building without gridview"; } &&
+      { ! grep -q 'JPEG pictures: off' "$log" || echo "== no libjpeg-turbo (libturbojpeg0-dev, pkg-config): building without JPEG pictures"; } &&
       cmake --build "$folder" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" | show_progress; }; then
     grep -E -A5 'error|Error|\*\*\*' "$log" || cat "$log"
     rm -f "$log"

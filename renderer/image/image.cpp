@@ -49,9 +49,11 @@ std::vector<std::uint8_t> rgb_of(const Frame& frame, Sampling sampling) {
 } // namespace
 
 ImageFormat image_format(const std::string& path) {
-  if (std::string_view(path).ends_with(".png")) return ImageFormat::png;
-  if (std::string_view(path).ends_with(".pfm")) return ImageFormat::pfm;
-  throw Error(ErrorCode::usage, path, "pictures are written as PNG or PFM: name it .png or .pfm");
+  const std::string_view name = path;
+  if (name.ends_with(".png")) return ImageFormat::png;
+  if (name.ends_with(".jpg") || name.ends_with(".jpeg")) return ImageFormat::jpeg;
+  if (name.ends_with(".pfm")) return ImageFormat::pfm;
+  throw Error(ErrorCode::usage, path, "pictures are PNG, JPEG or PFM: name it .png, .jpg or .pfm");
 }
 
 std::int32_t image_width(const Frame& frame, Sampling sampling) {

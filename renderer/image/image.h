@@ -1,4 +1,4 @@
-// Pictures: made from frames of camera rays, written as PNG or PFM.
+// Pictures: made from frames of camera rays, written as PNG, JPEG or PFM.
 #pragma once
 
 #include "renderer/image/png_file.h"
@@ -9,9 +9,9 @@
 
 namespace masu {
 
-enum class ImageFormat { png, pfm };
+enum class ImageFormat { png, jpeg, pfm };
 
-// By the file name's end, .png or .pfm. Throws Error(usage, path, …) for another one.
+// By the file name's end, .png, .jpg, .jpeg or .pfm. Throws Error(usage, path, …) for another one.
 ImageFormat image_format(const std::string& path);
 
 // Pixels of a frame.
@@ -25,8 +25,9 @@ void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::spa
 struct ImageOptions {
   ImageFormat format = ImageFormat::png;
   Sampling sampling = Sampling::corners;
-  bool srgb = false; // PNG: encode values as sRGB; otherwise they are stored as they are
+  bool srgb = false; // PNG, JPEG: encode values as sRGB; otherwise they are stored as they are
   PngTexts texts{};
+  int quality = 0; // of a JPEG
 };
 
 // A frame's pixels as files have them. rgb_rows: 8 bits per channel, values above 1 are cut off; pfm_rows:

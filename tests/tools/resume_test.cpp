@@ -1,6 +1,7 @@
 // --resume, gridrender-mpi and gridtrace-mpi: whoever shares a run, and however often it is killed, its files
 // are those of one undisturbed process.
 #include "libscene/file/container.h"
+#include "renderer/image/jpeg_file.h"
 #include "tests/stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
@@ -83,13 +84,15 @@ protected:
     return {on_cpu({file("rays.csv"), "-o", file(prefix + ".csv")}), {prefix + ".csv"}, "gridtrace"};
   }
   std::vector<Job> all(const std::string& prefix) const {
-    return {views(prefix + "v"),
-            large(prefix + "1", "png", "corners"),
-            large(prefix + "2", "pfm", "corners"),
-            large(prefix + "3", "png", "centers"),
-            list(prefix + "4", ".hits"),
-            list(prefix + "5", ".npy"),
-            csv_list(prefix + "6")};
+    std::vector<Job> jobs{views(prefix + "v"),
+                          large(prefix + "1", "png", "corners"),
+                          large(prefix + "2", "pfm", "corners"),
+                          large(prefix + "3", "png", "centers"),
+                          list(prefix + "4", ".hits"),
+                          list(prefix + "5", ".npy"),
+                          csv_list(prefix + "6")};
+    if (has_libjpeg()) jobs.push_back(large(prefix + "7", "jpg", "corners")); // of two bands
+    return jobs;
   }
 
   void expect_made(const Job& job, const Arguments& more = {}) const {

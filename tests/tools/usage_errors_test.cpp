@@ -46,8 +46,14 @@ gridrender ~/a.scene -o ~/new.png                                        > GRID
 gridrender ~/a.scene ~/a.grid -o ~/new.png --size [8|8x|x8|0x8|8x0|-8x8|8x8x8|65537x1|8X8|8x8_] > --size
 gridrender ~/a.scene ~/a.grid -o ~/new.png --depth [0|-1|33|x]
 gridrender ~/a.scene ~/a.grid -o ~/new.png [--backend|--sampling|--threads] what
-gridrender ~/a.scene ~/a.grid -o [~/new.bmp|~/new|png|~/new.PNG]         > @
-gridrender ~/a.scene ~/a.grid -o ~/new --format jpg
+gridrender ~/a.scene ~/a.grid -o [~/new.bmp|~/new|png|~/new.PNG|~/new.JPG]         > @
+gridrender ~/a.scene ~/a.grid -o ~/new --format [bmp|jpeg]
+gridrender ~/a.scene ~/a.grid -o ~/new.jpg --quality [0|101|-1|x|1.5]
+gridrender ~/a.scene ~/a.grid -o [~/new.png|~/new.pfm|-] --quality 90    > --quality: JPEG
+gridrender ~/a.scene ~/a.grid -o ~/new.jpg --format png --quality 90     > --quality: JPEG
+gridrender ~/a.scene ~/a.grid --hits ~/new --quality 90                  > --quality: JPEG
+gridrender ~/a.scene ~/a.grid -o ~/new.jpg --channels depth --no-picture --quality 90 > --quality: JPEG
+gridrender ~/a.scene ~/a.grid -o ~/new.jpg --size [65501x1|1x65501|65536x65536] > --format: JPEG
 gridrender ~/a.scene ~/a.grid -o ~/new.png [--write|--any-hit]           > @
 gridrender ~/a.scene ~/a.grid -o ~/new.png --from 0,0,0.5                > --at: the point that the view is from
 gridrender ~/a.scene ~/a.grid -o ~/new.png --from 0,0,5 --at 0,0,-1      > --up: parallel

@@ -103,7 +103,7 @@ Run median_run(int repeat, const Measure& measure) {
 double encoded(const Tracer& tracer, const ViewsRequest& request) {
   FrameRequest middle = request.frame;
   middle.camera = request.views[request.views.size() / 2].camera;
-  const PictureBands bands(window_of(middle), middle.sampling);
+  const PictureBands bands(window_of(middle), middle.sampling, ImageFormat::png);
   const std::size_t band = bands.count() / 2, all = bands.count() * request.views.size();
   middle.window = bands.rays(band);
   const Frame frame = tracer.render(middle);

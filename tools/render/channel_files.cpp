@@ -128,9 +128,10 @@ std::vector<Channel> parse_channels(const std::string& names) {
 }
 
 ChannelFiles channel_files(const std::string& picture, Channel channel, ChannelFormat format) {
-  const bool has_ending = picture.ends_with(".png") || picture.ends_with(".pfm");
-  const std::string base =
-      (has_ending ? picture.substr(0, picture.size() - 4) : picture) + '.' + name_of(channel);
+  std::string base = picture;
+  for (const std::string_view ending : {".png", ".jpg", ".jpeg", ".pfm"})
+    if (picture.ends_with(ending)) base.resize(picture.size() - ending.size());
+  base += std::string(".") + name_of(channel);
   return {base + (format == ChannelFormat::npy ? ".npy" : ".pfm"), base + ".png"};
 }
 

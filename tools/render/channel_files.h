@@ -17,7 +17,8 @@ enum class ChannelFormat { pfm, npy };
 // Of a list such as "depth,cells". Throws Error(usage, --channels, …).
 std::vector<Channel> parse_channels(const std::string& names);
 
-// The files of a channel beside a picture: of p.png and depth, p.depth.pfm or p.depth.npy, and p.depth.png.
+// The files of a channel beside a picture: of p.png or p.jpg and depth, p.depth.pfm or p.depth.npy, and
+// p.depth.png.
 struct ChannelFiles {
   std::string values, picture;
 };

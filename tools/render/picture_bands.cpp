@@ -1,6 +1,7 @@
 #include "tools/render/picture_bands.h"
 
 #include "libscene/base/error.h"
+#include "renderer/image/jpeg_file.h"
 
 #include <fmt/format.h>
 
@@ -31,11 +32,17 @@ PngRows png_rows(std::span<const std::uint8_t> part) {
 
 } // namespace
 
-PictureBands::PictureBands(const RayWindow& rays, Sampling sampling)
-    : rays_(rays), sampling_(sampling), more_(sampling == Sampling::corners ? 1 : 0),
+PictureBands::PictureBands(const RayWindow& rays, Sampling sampling, ImageFormat format)
+    : rays_(rays), sampling_(sampling), format_(format), more_(sampling == Sampling::corners ? 1 : 0),
       height_(rays.rows - more_) {
-  const std::int32_t png_rows = png_band_rows(width());
-  band_rows_ = std::max(least_png_bands, (least_rows + png_rows - 1) / png_rows) * png_rows;
+  const std::int32_t side = std::max(width(), height_), png_rows = png_band_rows(width());
+  if (format == ImageFormat::jpeg && side > largest_jpeg_side)
+    throw Error(
+        ErrorCode::usage, "--format",
+        fmt::format("JPEG has at most {} pixels a side, not {}: write a PNG", largest_jpeg_side, side));
+  band_rows_ = format == ImageFormat::jpeg
+                   ? jpeg_band_rows(width())
+                   : std::max(least_png_bands, (least_rows + png_rows - 1) / png_rows) * png_rows;
 }
 
 RayWindow PictureBands::rays(std::size_t band) const {
@@ -62,13 +69,15 @@ std::uint64_t PictureBands::first_hit(std::size_t band) const {
 
 std::vector<std::uint8_t> PictureBands::picture(std::size_t band, const Frame& frame,
                                                 const ImageOptions& options) const {
-  if (options.format == ImageFormat::pfm) {
+  if (format_ == ImageFormat::pfm) {
     std::vector<std::uint8_t> bytes = pfm_rows(frame, sampling_);
     const std::string head = is_last(band) ? pfm_head(width(), height_) : "";
     bytes.insert(bytes.begin(), head.begin(), head.end());
     return bytes;
   }
-  const PngRows encoded = encoded_rows(rgb_rows(frame, sampling_, options.srgb), width(), is_last(band));
+  const std::vector<std::uint8_t> rgb = rgb_rows(frame, sampling_, options.srgb);
+  if (format_ == ImageFormat::jpeg) return jpeg(rgb, width(), rows(band), {options.quality});
+  const PngRows encoded = encoded_rows(rgb, width(), is_last(band));
   const PngPartHead head{encoded.rows, encoded.adler};
   std::vector<std::uint8_t> bytes(sizeof head);
   std::memcpy(bytes.data(), &head, sizeof head);
@@ -83,18 +92,23 @@ std::uint64_t PictureBands::pfm_offset(std::size_t band) const {
   return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
 }
 
-PartedForm PictureBands::picture_form(ImageFormat format, std::function<PngTexts()> texts) const {
-  if (format == ImageFormat::pfm) {
+PartedForm PictureBands::picture_form(std::function<PngTexts()> texts) const {
+  if (format_ == ImageFormat::pfm) {
     const std::uint64_t pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_);
     return {count(), [this](std::uint64_t band) { return pfm_offset(band); },
             pfm_head(width(), height_).size() + pixels * sizeof(Vec3f)};
   }
-  // Compression enlarges nothing by more than this.
-  const std::uint64_t row_bytes = 3 * static_cast<std::uint64_t>(width()) + 1,
+  // Compression enlarges nothing by more than this. Of a JPEG it is twice TurboJPEG's own bound.
+  const bool is_jpeg = format_ == ImageFormat::jpeg;
+  const std::uint64_t row_bytes = (is_jpeg ? 12 : 3) * static_cast<std::uint64_t>(width()) + 1,
                       band_bytes = row_bytes * static_cast<std::uint64_t>(band_rows_),
                       slot_bytes = band_bytes + band_bytes / 64 + (std::uint64_t{1} << 16);
   return {count(), [slot_bytes](std::uint64_t band) { return band * slot_bytes; }, 0,
-          [this, texts = std::move(texts)](OutputFile& file) {
+          [this, is_jpeg, texts = std::move(texts)](OutputFile& file) -> AppendPart {
+            if (is_jpeg) {
+              const auto writer = std::make_shared<JpegWriter>(file, width(), height_, texts());
+              return [writer](std::span<const std::uint8_t> part) { writer->write(part); };
+            }
             const auto writer = std::make_shared<PngWriter>(file, width(), height_, texts());
             return [writer](std::span<const std::uint8_t> part) { writer->write(png_rows(part)); };
           }};

@@ -6,11 +6,11 @@
 
 namespace masu {
 
-// Bands depend on the size of the picture (or of its part) alone, so files do, too.
+// Bands depend on the format and size of the picture (or of its part) alone, so files do, too.
 class PictureBands {
 public:
-  // rays: the picture's or a part's.
-  PictureBands(const RayWindow& rays, Sampling sampling);
+  // rays: the picture's or a part's. Throws Error(usage) for a JPEG that is too large.
+  PictureBands(const RayWindow& rays, Sampling sampling, ImageFormat format);
 
   std::size_t count() const { return static_cast<std::size_t>((height_ + band_rows_ - 1) / band_rows_); }
   std::int32_t width() const { return rays_.columns - more_; } // pixels
@@ -24,11 +24,11 @@ public:
   std::size_t largest_band_rays() const;
 
   // What a band's frame gives for the picture's files: 8-byte records of the hits, and rows of the picture. A
-  // PFM file's have the file's head with them; a PNG file's are encoded, and follow each other.
+  // PFM file's have the file's head with them; others' are encoded, and follow each other.
   std::vector<std::uint8_t> hits(std::size_t band, const Frame& frame) const;
   std::vector<std::uint8_t> picture(std::size_t band, const Frame& frame, const ImageOptions& options) const;
-  // How these make the picture's file. `texts`: a PNG file's. The bands outlive the form.
-  PartedForm picture_form(ImageFormat format, std::function<PngTexts()> texts) const;
+  // How these make the picture's file. `texts`: of a PNG or JPEG file. The bands outlive the form.
+  PartedForm picture_form(std::function<PngTexts()> texts) const;
 
   std::uint64_t first_hit(std::size_t band) const; // its index in the picture
   std::uint64_t hit_count() const;                 // of the whole picture
@@ -40,6 +40,7 @@ private:
 
   RayWindow rays_;
   Sampling sampling_;
+  ImageFormat format_;
   std::int32_t more_, height_, band_rows_; // more_: rows and columns of rays than of pixels
 };
 

@@ -43,7 +43,7 @@ struct Layout {
     for (const View& view : request.views) {
       FrameRequest frame = request.frame;
       frame.camera = view.camera;
-      bands.emplace_back(window_of(frame), frame.sampling);
+      bands.emplace_back(window_of(frame), frame.sampling, request.image.format);
       first_tasks.push_back(tasks);
       tasks += bands.back().count();
     }
@@ -91,7 +91,7 @@ std::vector<ViewFile> files_of(const ViewsRequest& request, const Layout& layout
       all.emplace_back("View", description(request.views[view].camera, request.frame));
       return all;
     };
-    files.push_back({picture, bands.picture_form(request.image.format, texts),
+    files.push_back({picture, bands.picture_form(texts),
                      [&bands, &image = request.image](std::size_t band, const Frame& frame) {
                        return bands.picture(band, frame, image);
                      }});
@@ -147,7 +147,7 @@ public:
     FrameRequest frame = request_.frame;
     frame.camera = request_.views[view].camera;
     frame.tracing.precision = precision_of(view, frame);
-    frame.rgb = request_.image.format == ImageFormat::png && !request_.image.srgb;
+    frame.rgb = request_.image.format != ImageFormat::pfm && !request_.image.srgb;
     frame.window = bands.rays(band);
     frame.count_last_row = bands.is_last(band) || frame.sampling == Sampling::centers;
     // A process on the CPU traces tasks one by one, and that takes the time.

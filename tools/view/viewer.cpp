@@ -124,10 +124,11 @@ PictureRows cut(const Tracer& tracer, const SlicePlane& plane, const FrameReques
 }
 
 std::string encoded(const PictureRows& rows, const PictureRequest& request) {
-  if (!has_values(request.channel)) return jpeg(rows.rgb, rows.width, rows.height, request.quality);
-  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(rows.values.data());
-  const std::vector<std::uint8_t> stream = deflated({bytes, rows.values.size() * sizeof(float)}, true);
-  return {stream.begin(), stream.end()};
+  const auto* const values = reinterpret_cast<const std::uint8_t*>(rows.values.data());
+  const std::vector<std::uint8_t> bytes = has_values(request.channel)
+                                              ? deflated({values, rows.values.size() * sizeof(float)}, true)
+                                              : jpeg(rows.rgb, rows.width, rows.height, request.quality);
+  return {bytes.begin(), bytes.end()};
 }
 
 } // namespace

@@ -5,10 +5,10 @@
 #include "libgrid/file/grid_file.h"
 #include "libgrid/statistics/boxes.h"
 #include "libscene/file/scene_file.h"
+#include "renderer/image/jpeg_file.h"
 #include "renderer/tracer.h"
 #include "tools/render/views.h"
 #include "tools/view/channel_colors.h"
-#include "tools/view/jpeg.h"
 #include "tools/view/turns.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,5 @@
-#include "tools/view/jpeg.h"
-
 #include "libscene/base/error.h"
+#include "renderer/image/jpeg_file.h"
 
 #include <turbojpeg.h>
 
@@ -8,8 +7,8 @@
 
 namespace masu {
 
-std::string jpeg(std::span<const std::uint8_t> rgb, std::int32_t width, std::int32_t height,
-                 const JpegQuality& quality) {
+std::vector<std::uint8_t> jpeg(std::span<const std::uint8_t> rgb, std::int32_t width, std::int32_t height,
+                               const JpegQuality& quality) {
   const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), tjDestroy);
   unsigned char* bytes = nullptr;
   unsigned long size = 0;
@@ -19,7 +18,11 @@ std::string jpeg(std::span<const std::uint8_t> rgb, std::int32_t width, std::int
                                         quality.full_color ? TJFLAG_ACCURATEDCT : TJFLAG_FASTDCT) == 0;
   const std::unique_ptr<unsigned char, void (*)(unsigned char*)> owned(bytes, tjFree);
   if (!encoded) throw Error(ErrorCode::output, "picture", "can't be encoded as JPEG");
-  return {reinterpret_cast<const char*>(bytes), size};
+  return {bytes, bytes + size};
+}
+
+bool has_libjpeg() {
+  return true;
 }
 
 } // namespace masu
