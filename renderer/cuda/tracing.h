@@ -100,7 +100,9 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
 // hierarchies of triangles. Other kinds are tested by more registers: primary rays of balls lose 4 %, of tree
 // 23 %.
 template <class Grid, class M>
-constexpr bool has_groups = is_hierarchy<Grid> && M::kinds == with_triangles;
+constexpr bool has_groups() {
+  return is_hierarchy<Grid> && M::kinds == with_triangles;
+}
 
 // Traces through a hierarchy by thread_per_ray or warp_refill.
 template <Query query, class M, class Stored, class Hierarchy>
@@ -158,13 +160,13 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
           }
         } else {
           // `warp` is of grids.
-          if (request.loop == RayLoop::warp_refill || has_groups<Accelerator, Used>) {
+          if (request.loop == RayLoop::warp_refill || has_groups<Accelerator, Used>()) {
             size = trace_by_hierarchy<query, Used>(files, grid, request.loop, batch);
             return;
           }
         }
       }
-      if constexpr (!has_loops || !has_groups<Accelerator, Used>) {
+      if constexpr (!has_loops || !has_groups<Accelerator, Used>()) {
         auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
         size = files.kernels->of(kernel, rays_per_block).size;
         batch.begin();
