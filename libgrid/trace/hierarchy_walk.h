@@ -84,7 +84,7 @@ struct MetBoxes {
   }
 };
 
-#ifdef __CUDA_ARCH__
+#ifdef __CUDACC__
 template <int byte>
 __device__ inline float plane_of(std::uint32_t planes) {
   return __uint_as_float(__byte_perm(planes, plane_offset_bits, 0x7604 | byte << 4));
@@ -242,6 +242,11 @@ MASU_HD inline HierarchyGroup nodes_group(const HierarchyNode& node, std::uint32
           slots << 24 | (nearest >> 7 & 0xfff800) | (nearest & MetBoxes::slot_bits) << 8 | node_slots(node)};
 }
 
+// A single node that the ray enters at `entry`.
+MASU_HD inline HierarchyGroup node_group(std::uint32_t node, std::uint32_t entry) {
+  return {node, 0x1000001U | (entry >> 7 & 0xfff800)};
+}
+
 // Where to find the node of a slot among a node's.
 MASU_HD inline std::uint32_t node_in(std::uint32_t first, std::uint32_t held, std::uint32_t slot) {
   const std::uint32_t before = held & ~(~0U << slot);
@@ -252,10 +257,13 @@ MASU_HD inline std::uint32_t node_in(std::uint32_t first, std::uint32_t held, st
 #endif
 }
 
+// Boxes that rays begun as a packet (renderer/cuda/packet.h) have met by then, at most: a warp's lanes.
+inline constexpr unsigned max_packet_boxes = 32;
+
 // What a walk comes back to. A node pushes at most what it holds besides the node visited next, and the tests
-// put off. It isn't part of the walk: a struct that holds an array which is indexed lies in memory as a
-// whole, where registers should hold the rest.
-inline constexpr int max_stack_height = 2 * max_hierarchy_depth;
+// put off; before them there may be a packet's boxes. It isn't part of the walk: a struct that holds an array
+// which is indexed lies in memory as a whole, where registers should hold the rest.
+inline constexpr int max_stack_height = 2 * max_hierarchy_depth + max_packet_boxes;
 using HierarchyStack = HierarchyGroup[max_stack_height];
 
 MASU_HD inline void push(HierarchyStack& stack, int& height, const HierarchyGroup& group) {

@@ -1,11 +1,12 @@
 // Rays through a bounding volume hierarchy (CUDA sources only): a thread each, whose warp may fetch the
 // list's next rays for its idle lanes; after Aila & Laine, "Understanding the Efficiency of Ray Traversal on
 // GPUs", HPG 2009, and, for when to fetch, Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on
-// GPUs Through Compressed Wide BVHs", HPG 2017. A warp's last rays are traced by groups of its lanes
-// (grouped_walk.h).
+// GPUs Through Compressed Wide BVHs", HPG 2017. A warp's first rays begin as a packet (packet.h), and its
+// last ones are traced by groups of its lanes (grouped_walk.h).
 #pragma once
 
 #include "renderer/cuda/grouped_walk.h"
+#include "renderer/cuda/packet.h"
 #include "renderer/cuda/straggler_queue.h"
 
 namespace masu {
@@ -64,18 +65,84 @@ __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const
   return holders;
 }
 
-// `next_ray`: of the list, to be fetched next; null: each thread traces one ray.
+// Begins ray `number` of the list; false where it misses the scene's bounds, or there is none.
+template <Query query, class Real, class TestRay, class Stored>
+__device__ inline bool begin_ray(const SceneView<Stored>& scene, const Ray<Real>* rays, std::uint32_t count,
+                                 std::uint32_t number, const RayResults& results, RayEnds<Real>& end,
+                                 WalkingRay<TestRay>& own) {
+  if (number >= count) return false;
+  ClippedRay<Real> near{};
+  Real scale;
+  if (!scale_and_clip(scene, streamed(rays + number), near, scale)) {
+    write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
+    return false;
+  }
+  end = {scale, near.skipped, near.ray.t_max, number};
+  own.nearest = {near.ray.t_max, 0};
+  prepare(own.test_ray, near.ray.origin, near.ray.direction);
+  own.walk.begin(near);
+  return true;
+}
+
+// Goes on with a warp's last rays, each of one of its lanes, by groups of lanes.
+template <Query query, class M, class Stored, class Hierarchy>
+__device__ inline void trace_last_rays(const SceneView<Stored>& scene, const Hierarchy& hierarchy,
+                                       bool has_ray, WalkingRay<typename M::TestRay>& own,
+                                       HierarchyStack& stack, const RayEnds<typename M::Real>* ends,
+                                       std::uint32_t* sources, const RayResults& results) {
+  std::uint32_t* const warp_sources = sources + threadIdx.x / lanes_per_warp * lanes_per_warp;
+  const unsigned left = trace_by_groups<1, max_rays_by_fours, query, M>(
+      scene, hierarchy, __ballot_sync(all_lanes, has_ray), own, stack, ends, warp_sources, results);
+  trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, ends, warp_sources, results);
+}
+
+// Boxes of references of a node that a packet tests: triangles' are small beside a packet, and many.
+template <class M>
+constexpr int max_packet_leaves = M::kinds == with_triangles ? 1 : 2;
+
+// Traces a list of rays, a thread each; a warp's begin as a packet.
 template <Query query, class M, class Stored, class Hierarchy>
 __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
-    hierarchy_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
-                     const Ray<typename M::Real>* const rays, const std::uint32_t count,
-                     const RayResults results, std::uint32_t* const next_ray) {
-  using Real = typename M::Real;
+    packet_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
+                  const Ray<typename M::Real>* const rays, const std::uint32_t count,
+                  const RayResults results) {
   // What is needed of a ray when it is begun and ended would take up registers.
-  __shared__ RayEnds<Real> ends[rays_per_block];
+  __shared__ RayEnds<typename M::Real> ends[rays_per_block];
   __shared__ std::uint32_t sources[rays_per_block]; // of regroup()
+  __shared__ PacketBoxes packets[rays_per_block / lanes_per_warp];
+  auto& end = ends[threadIdx.x];
+  HierarchyStack stack;
+  WalkingRay<typename M::TestRay> own{};
+  own.thread = threadIdx.x;
+  const std::uint32_t number = blockIdx.x * rays_per_block + threadIdx.x;
+  const bool has_ray = begin_ray<query>(scene, rays, count, number, results, end, own);
+  if (!__any_sync(all_lanes, has_ray)) return;
+  bool under_way = goes_on<query, M>(scene, own, end.t_max, [&](auto& visitor) {
+    return begin_packet<max_packet_leaves<M>>(hierarchy, own.walk, stack, visitor, has_ray,
+                                              packets[threadIdx.x / lanes_per_warp]);
+  });
+  if (__popc(__ballot_sync(all_lanes, under_way)) > max_rays_by_pairs) {
+    while (under_way) {
+      under_way = goes_on<query, M>(
+          scene, own, end.t_max, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
+      if (__popc(__activemask()) <= max_rays_by_pairs) break;
+    }
+  }
+  if (has_ray && !under_way) write_end<query>(results, end, own.nearest);
+  __syncwarp(); // for `ends`, which other lanes read now
+  trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
+}
+
+// Traces a list of rays, of which warps fetch the next ones for their idle lanes from `next_ray` on.
+template <Query query, class M, class Stored, class Hierarchy>
+__global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
+    refill_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
+                  const Ray<typename M::Real>* const rays, const std::uint32_t count,
+                  const RayResults results, std::uint32_t* const next_ray) {
+  __shared__ RayEnds<typename M::Real> ends[rays_per_block];
+  __shared__ std::uint32_t sources[rays_per_block];
   const unsigned lane = threadIdx.x % lanes_per_warp;
-  RayEnds<Real>& end = ends[threadIdx.x];
+  auto& end = ends[threadIdx.x];
   HierarchyStack stack;
   WalkingRay<typename M::TestRay> own{};
   own.thread = threadIdx.x;
@@ -88,26 +155,11 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
       has_ray = false;
     }
     if (more && idle != 0) {
-      std::uint32_t number = blockIdx.x * rays_per_block + threadIdx.x;
-      more = false;
-      if (next_ray != nullptr) {
-        const std::uint32_t first = add_for_warp(*next_ray, __popc(idle));
-        number = first + rank_among(idle, lane);
-        more = first + static_cast<unsigned>(__popc(idle)) < count;
-      }
-      if (!under_way && number < count) {
-        ClippedRay<Real> near{};
-        Real scale;
-        if (scale_and_clip(scene, streamed(rays + number), near, scale)) {
-          has_ray = under_way = true;
-          end = {scale, near.skipped, near.ray.t_max, number};
-          own.nearest = {near.ray.t_max, 0};
-          prepare(own.test_ray, near.ray.origin, near.ray.direction);
-          own.walk.begin(near);
-        } else {
-          write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
-        }
-      }
+      const std::uint32_t first = add_for_warp(*next_ray, __popc(idle));
+      more = first + static_cast<unsigned>(__popc(idle)) < count;
+      if (!under_way)
+        has_ray = under_way =
+            begin_ray<query>(scene, rays, count, first + rank_among(idle, lane), results, end, own);
       idle = __ballot_sync(all_lanes, !under_way);
       if (more && __popc(idle) > lanes_per_warp / 2) continue; // most miss the scene
     }
@@ -126,11 +178,8 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     }
     __syncwarp();
   }
-  __syncwarp(); // for `ends`, which other lanes read now
-  std::uint32_t* const warp_sources = sources + (threadIdx.x - lane);
-  const unsigned left = trace_by_groups<1, max_rays_by_fours, query, M>(
-      scene, hierarchy, __ballot_sync(all_lanes, under_way), own, stack, ends, warp_sources, results);
-  trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, ends, warp_sources, results);
+  __syncwarp();
+  trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
 }
 
 } // namespace masu

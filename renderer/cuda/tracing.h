@@ -96,21 +96,15 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   return known.size;
 }
 
-// Whether thread_per_ray traces a warp's last rays by groups. On an H100 it gains up to 21 % through
-// hierarchies of triangles. Other kinds are tested by more registers: primary rays of balls lose 4 %, of tree
-// 23 %.
-template <class Grid, class M>
-constexpr bool has_groups() {
-  return is_hierarchy<Grid> && M::kinds == with_triangles;
-}
-
 // Traces through a hierarchy by thread_per_ray or warp_refill.
 template <Query query, class M, class Stored, class Hierarchy>
 KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy, RayLoop loop,
                               const RayBatch<typename M::Real>& batch) {
-  auto* const trace = hierarchy_kernel<query, OnDevice<M>, Stored, Hierarchy>;
-  const auto known = files.kernels->of(trace, rays_per_block);
+  auto* const trace = packet_kernel<query, OnDevice<M>, Stored, Hierarchy>;
+  auto* const refill = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
   const bool refills = loop == RayLoop::warp_refill;
+  const auto known =
+      refills ? files.kernels->of(refill, rays_per_block) : files.kernels->of(trace, rays_per_block);
   const std::uint64_t launches = (batch.count + max_rays_by_warps - 1) / max_rays_by_warps;
   const DeviceArray<std::uint32_t> next_rays(refills ? launches : 0, batch.queue);
   next_rays.clear();
@@ -120,9 +114,14 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
     const std::uint64_t first = i * max_rays_by_warps;
     const auto count = static_cast<std::uint32_t>(std::min(batch.count - first, max_rays_by_warps));
     const std::uint32_t blocks = blocks_of(rays_per_block, count);
-    launch(trace, refills ? std::min(blocks, known.blocks) : blocks, rays_per_block, batch.queue.stream,
-           files.scene.view, hierarchy, batch.rays + first, count, results,
-           refills ? next_rays.data() + i : nullptr);
+    const auto launch_with = [&](auto* kernel, std::uint32_t of, const auto&... more) {
+      launch(kernel, of, rays_per_block, batch.queue.stream, files.scene.view, hierarchy, batch.rays + first,
+             count, results, more...);
+    };
+    if (refills)
+      launch_with(refill, std::min(blocks, known.blocks), next_rays.data() + i);
+    else
+      launch_with(trace, blocks);
     for_each_array(results, [&](auto*& array) {
       if (array != nullptr) array += count;
     });
@@ -144,8 +143,8 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
     using Accelerator = std::decay_t<decltype(grid)>;
     with_query(request.query, [&]<Query query>(QueryTag<query>) {
       // Lists go through uniform grids for comparison: for all kinds.
-      using Used =
-          std::conditional_t<std::is_same_v<Accelerator, GridView<Real>>, Method<TestRay, with_all_kinds>, M>;
+      constexpr bool is_uniform = std::is_same_v<Accelerator, GridView<Real>>;
+      using Used = std::conditional_t<is_uniform, Method<TestRay, with_all_kinds>, M>;
       constexpr bool has_loops = std::is_same_v<C, NoCounts> && has_warp_loops<query, TestRay, Accelerator>;
       if constexpr (has_loops) {
         if constexpr (is_any_structure<Accelerator>) {
@@ -159,19 +158,23 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
             return;
           }
         } else {
-          // `warp` is of grids.
-          if (request.loop == RayLoop::warp_refill || has_groups<Accelerator, Used>()) {
-            size = trace_by_hierarchy<query, Used>(files, grid, request.loop, batch);
-            return;
-          }
+          size = trace_by_hierarchy<query, Used>(files, grid, request.loop, batch); // `warp` is of grids
+          return;
         }
       }
-      if constexpr (!has_loops || !has_groups<Accelerator, Used>()) {
-        auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
-        size = files.kernels->of(kernel, rays_per_block).size;
-        batch.begin();
-        launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.queue.stream, scene,
-               grid, batch.rays, batch.count, batch.results, batch.counts);
+      if constexpr (!has_loops || !is_hierarchy<Accelerator>) {
+        const auto trace_through = [&](const auto& structure) {
+          auto* const kernel =
+              trace_kernel<query, OnDevice<Used>, Stored, std::decay_t<decltype(structure)>, C>;
+          size = files.kernels->of(kernel, rays_per_block).size;
+          batch.begin();
+          launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.queue.stream, scene,
+                 structure, batch.rays, batch.count, batch.results, batch.counts);
+        };
+        if constexpr (is_uniform)
+          trace_through(files.grid.moved(any_structure<Real>(host_grid)));
+        else
+          trace_through(grid);
       }
     });
   });

@@ -1,4 +1,5 @@
 // The CPU's and the GPU's answers, bit for bit. Skipped, and said so, where there is no CUDA device.
+#include "libscene/geometry/random_rays.h"
 #include "libscene/nff/nff.h"
 #include "renderer/channels.h"
 #include "renderer/image/image.h"
@@ -187,6 +188,35 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
       }
     }
   }
+}
+
+// Warps' rays begin as packets where they are alike: bundles of 32, narrow and wide, from one point and from
+// several, some of the rays short, and in some bundles a few along an axis or backwards.
+TEST_P(CpuAndGpu, FindTheSameForBundles) {
+  const Rendering built = build(Store::float32, GetParam().standard, "1", GridKind::hierarchy);
+  const std::uint64_t seed = seed_.engine()();
+  std::vector<Ray<double>> rays;
+  for (const Ray<double>& middle : random_rays(built.scene(), 3000, seed)) {
+    RandomSequence random(seed, rays.size());
+    const double spread = std::exp2(-20 * random.uniform()), apart = std::exp2(-30 * random.uniform());
+    const double size = largest_magnitude(middle.direction);
+    const bool alike = random.uniform() < 0.75;
+    const auto near = [&](const Vec3d& place, double distance) {
+      return fma(random_direction(random), distance * size, place);
+    };
+    for (int i = 0; i < 32; ++i) {
+      Ray<double> ray = middle;
+      ray.origin = near(ray.origin, apart);
+      ray.direction = near(ray.direction, spread);
+      const double kind = random.uniform();
+      if (!alike && kind < 0.1) ray.direction.set(i % 3, 0);
+      if (!alike && kind > 0.9) ray.direction = ray.direction * -1.0;
+      if (kind > 0.5) ray.t_max = 2 * random.uniform();
+      rays.push_back(ray);
+    }
+  }
+  for (const Query query : {Query::nearest_hit, Query::occlusion})
+    expect_same_traced(built, rays, {.query = query, .loop = RayLoop::thread_per_ray});
 }
 
 // Nearly all warps have next to nothing to do while a few have long ways: those rays are left to the kernel
