@@ -13,6 +13,8 @@
 #include "libgrid/trace/hierarchy_walk.h"
 #include "renderer/cuda/warp_rays.h"
 
+#include <limits>
+
 namespace masu {
 
 // What the origins and inverse directions of a warp's rays lie between, along one axis: reversed where they
