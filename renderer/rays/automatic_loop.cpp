@@ -101,7 +101,7 @@ RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy) {
   const double waiting = costs.most_work - costs.work;
   if (waiting < fetching) return RayLoop::thread_per_ray;
   const bool any_hit = query == Query::occlusion;
-  const double is_long = is_hierarchy ? std::max(9.0, 0.7 * costs.work) : 30;
+  const double is_long = is_hierarchy ? std::max(8.0, 0.7 * costs.work) : 30;
   const bool refills = any_hit ? waiting > is_long : costs.most_work > alike * costs.work;
   if (refills) return RayLoop::warp_refill;
   const bool shares = !is_hierarchy && (any_hit || costs.most_tests >= shared * costs.tests);
