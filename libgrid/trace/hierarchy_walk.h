@@ -85,8 +85,8 @@ struct MetBoxes {
 };
 
 #ifdef __CUDACC__
-template <int byte>
-__device__ inline float plane_of(std::uint32_t planes) {
+// 2^15 with the plane's number, of four planes.
+__device__ inline float plane_of(std::uint32_t planes, unsigned byte) {
   return __uint_as_float(__byte_perm(planes, plane_offset_bits, 0x7604 | byte << 4));
 }
 
@@ -126,9 +126,9 @@ __device__ inline void meet_four(MetBoxes& met, const NodeAxis<Real>& x, const N
   const auto test = [&]<int i>(std::integral_constant<int, i>) {
     std::uint32_t entry;
     if (!overlap(
-            fma(Real(plane_of<i>(near_x)), x.scale, x.start), fma(Real(plane_of<i>(far_x)), x.scale, x.start),
-            fma(Real(plane_of<i>(near_y)), y.scale, y.start), fma(Real(plane_of<i>(far_y)), y.scale, y.start),
-            fma(Real(plane_of<i>(near_z)), z.scale, z.start), fma(Real(plane_of<i>(far_z)), z.scale, z.start),
+            fma(Real(plane_of(near_x, i)), x.scale, x.start), fma(Real(plane_of(far_x, i)), x.scale, x.start),
+            fma(Real(plane_of(near_y, i)), y.scale, y.start), fma(Real(plane_of(far_y, i)), y.scale, y.start),
+            fma(Real(plane_of(near_z, i)), z.scale, z.start), fma(Real(plane_of(far_z, i)), z.scale, z.start),
             t_max, entry))
       return;
     // Of a node `unary` is 1, and shifted by 24 + slot.
@@ -236,15 +236,9 @@ struct HierarchyGroup {
     return (bits >> (24 + nearest) & 1) != 0 ? nearest : static_cast<std::uint32_t>(lowest_bit(bits >> 24));
   }
 };
-MASU_HD inline HierarchyGroup nodes_group(const HierarchyNode& node, std::uint32_t slots,
+MASU_HD inline HierarchyGroup nodes_group(std::uint32_t first, std::uint32_t slots, std::uint32_t all,
                                           std::uint32_t nearest) {
-  return {node.first_node,
-          slots << 24 | (nearest >> 7 & 0xfff800) | (nearest & MetBoxes::slot_bits) << 8 | node_slots(node)};
-}
-
-// A single node that the ray enters at `entry`.
-MASU_HD inline HierarchyGroup node_group(std::uint32_t node, std::uint32_t entry) {
-  return {node, 0x1000001U | (entry >> 7 & 0xfff800)};
+  return {first, slots << 24 | (nearest >> 7 & 0xfff800) | (nearest & MetBoxes::slot_bits) << 8 | all};
 }
 
 // Where to find the node of a slot among a node's.
@@ -314,7 +308,7 @@ struct HierarchyWalk {
     if (nodes == 0) return;
     const std::uint32_t slot = met.nearest & MetBoxes::slot_bits, others = nodes & ~(1U << slot);
     next = node_in(node.first_node, node_slots(node), slot);
-    if (others != 0) push(stack, height, nodes_group(node, others, met.second));
+    if (others != 0) push(stack, height, nodes_group(node.first_node, others, node_slots(node), met.second));
   }
 
   // Goes back for a node that the ray enters no farther than `farthest`, or for references, where there is no

@@ -54,8 +54,7 @@ __device__ inline MetBoxes boxes_met_by_lane(const HierarchyNode& node, const Ve
     const auto plane = [&](const std::uint32_t(&low)[2], const std::uint32_t(&high)[2], bool is_low,
                            const NodeAxis<Real>& axis) {
       const std::uint32_t planes = is_low ? low[half] : high[half];
-      return fma(__uint_as_float(__byte_perm(planes, plane_offset_bits, 0x7604 | byte << 4)), axis.scale,
-                 axis.start);
+      return fma(plane_of(planes, byte), axis.scale, axis.start);
     };
     std::uint32_t entry;
     if (!overlap(plane(node.low[0], node.high[0], up_x, x), plane(node.low[0], node.high[0], !up_x, x),

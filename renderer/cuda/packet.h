@@ -52,6 +52,7 @@ struct alignas(16) PacketBox {
 };
 // A packet's, in shared memory: all of them that it has met.
 using PacketBoxes = PacketBox[max_packet_boxes];
+static_assert(max_packet_boxes == lanes_per_warp); // a lane, and a bit, for each
 
 // The box of a slot along one axis.
 __device__ inline void packet_planes(const HierarchyNode& node, unsigned slot, int axis,
@@ -61,8 +62,7 @@ __device__ inline void packet_planes(const HierarchyNode& node, unsigned slot, i
   const float unit = float_of((node.exponents >> (8 * axis) & 0xff) << 23) * along.sign,
               origin = node.origin[axis] * along.sign;
   const auto plane = [&](std::uint32_t planes) {
-    const auto bits = __byte_perm(planes, plane_offset_bits, 0x7604 | slot % 4 << 4);
-    return fma(__uint_as_float(bits) - plane_offset, unit, origin);
+    return fma(plane_of(planes, slot % 4) - plane_offset, unit, origin);
   };
   box.near[axis] = plane(along.sign < 0 ? high : low);
   box.far[axis] = plane(along.sign < 0 ? low : high);
@@ -153,7 +153,7 @@ __device__ inline bool begin_packet(const Hierarchy& hierarchy, HierarchyWalk<fl
                            own(box.near[1], origin.y, inverse.y), own(box.far[1], origin.y, inverse.y),
                            own(box.near[2], origin.z, inverse.z), own(box.far[2], origin.z, inverse.z),
                            visitor.farthest(), entry))
-      push(stack, walk.height, node_group(box.node, entry));
+      push(stack, walk.height, nodes_group(box.node, 1, 1, entry & ~MetBoxes::slot_bits));
   }
   return has_ray && !visitor.ends() && walk.go_back(stack, visitor.farthest());
 }

@@ -142,7 +142,8 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
     const auto grid = files.moved(view);
     using Accelerator = std::decay_t<decltype(grid)>;
     with_query(request.query, [&]<Query query>(QueryTag<query>) {
-      // Lists go through uniform grids for comparison: for all kinds.
+      // Lists go through uniform grids for comparison: for all kinds, and where a thread traces each ray by
+      // the kernel for all structures.
       constexpr bool is_uniform = std::is_same_v<Accelerator, GridView<Real>>;
       using Used = std::conditional_t<is_uniform, Method<TestRay, with_all_kinds>, M>;
       constexpr bool has_loops = std::is_same_v<C, NoCounts> && has_warp_loops<query, TestRay, Accelerator>;
