@@ -1,13 +1,13 @@
 // The walk of a ray through a bounding volume hierarchy on one lane of a processor with AVX2: eight boxes at
-// a time, the nodes met from the nearest on, and several triangles at a time. It finds what HierarchyWalk
+// a time, the nodes met from the nearest on, and up to eight triangles at a time. It finds what HierarchyWalk
 // (hierarchy_walk.h) finds, to the bit, but may visit other nodes and test other primitives on the way: so
-// queries that count take that one. With eight rays in turn (renderer/cpu/eight_rays.h) it traces lists of
-// rays 2.3 to 2.8 times as fast as that one does without AVX2 (teapot, one core). Host only.
+// queries that count take that one. Lists of rays are traced by eight_walks_avx2.h and renderer/cpu/packet.h.
+// Host only.
 #pragma once
 
 #include "libgrid/trace/hierarchy_view.h"
 #include "libscene/geometry/clip.h"
-#include "libscene/geometry/triangle.h"
+#include "libscene/geometry/eight_triangles.h"
 #include "libscene/scene_view.h"
 
 #include <immintrin.h>
@@ -88,70 +88,6 @@ MASU_ALWAYS_INLINE std::uint32_t slots_met(__m256i slots, __m256 lanes) {
   return static_cast<std::uint32_t>(_mm_cvtsi128_si32(all));
 }
 
-// Four triangles against a ray: intersect() of libscene/geometry/triangle.h with the same operations in the
-// same order, so that t has the same bits. `t` is set where the result has a bit set.
-struct FourTriangles {
-  const WatertightRay<float>& ray;
-
-  struct Vec {
-    __m128 x, y, z;
-  };
-  MASU_ALWAYS_INLINE static __m128 all(float v) { return _mm_set1_ps(v); }
-  MASU_ALWAYS_INLINE static __m128 dot(const Vec3<float>& a, const Vec& b) {
-    return _mm_fmadd_ps(all(a.x), b.x, _mm_fmadd_ps(all(a.y), b.y, _mm_mul_ps(all(a.z), b.z)));
-  }
-  MASU_ALWAYS_INLINE static __m128 difference_of_products(__m128 a, __m128 b, __m128 c, __m128 d) {
-    const __m128 cd = _mm_mul_ps(c, d);
-    const __m128 error = _mm_fnmadd_ps(c, d, cd);
-    return _mm_add_ps(_mm_fmsub_ps(a, b, cd), error);
-  }
-  MASU_ALWAYS_INLINE static __m128 divide(__m128 a, __m128 b) { // fast_divide()
-    const __m128 one = all(1);
-    const __m128 guess = _mm_castsi128_ps(_mm_sub_epi32(_mm_set1_epi32(0x7ef311c7), _mm_castps_si128(b)));
-    const __m128 error = _mm_fnmadd_ps(b, guess, one);
-    const __m128 better = _mm_fmadd_ps(_mm_fmadd_ps(error, error, error), guess, guess);
-    const __m128 inverse = _mm_fmadd_ps(_mm_fnmadd_ps(b, better, one), better, better);
-    const __m128 rough = _mm_mul_ps(a, inverse);
-    return _mm_fmadd_ps(_mm_fnmadd_ps(b, rough, a), inverse, rough);
-  }
-  // A corner of the four, relative to the ray's origin.
-  MASU_ALWAYS_INLINE Vec corner(const float* t0, const float* t1, const float* t2, const float* t3) const {
-    const __m128 c0 = _mm_load_ps(t0), c1 = _mm_load_ps(t1), c2 = _mm_load_ps(t2), c3 = _mm_load_ps(t3);
-    const __m128 xy01 = _mm_unpacklo_ps(c0, c1), xy23 = _mm_unpacklo_ps(c2, c3),
-                 z01 = _mm_unpackhi_ps(c0, c1), z23 = _mm_unpackhi_ps(c2, c3);
-    return {_mm_sub_ps(_mm_movelh_ps(xy01, xy23), all(ray.origin.x)),
-            _mm_sub_ps(_mm_movehl_ps(xy23, xy01), all(ray.origin.y)),
-            _mm_sub_ps(_mm_movelh_ps(z01, z23), all(ray.origin.z))};
-  }
-
-  MASU_ALWAYS_INLINE unsigned intersect(const Triangle<float>& t0, const Triangle<float>& t1,
-                                        const Triangle<float>& t2, const Triangle<float>& t3,
-                                        float (&t)[4]) const {
-    const Vec a = corner(&t0.a.x, &t1.a.x, &t2.a.x, &t3.a.x), b = corner(&t0.b.x, &t1.b.x, &t2.b.x, &t3.b.x),
-              c = corner(&t0.c.x, &t1.c.x, &t2.c.x, &t3.c.x);
-    const __m128 ax = dot(ray.across1, a), ay = dot(ray.across2, a), bx = dot(ray.across1, b),
-                 by = dot(ray.across2, b), cx = dot(ray.across1, c), cy = dot(ray.across2, c);
-    const __m128 ea = difference_of_products(cx, by, cy, bx), eb = difference_of_products(ax, cy, ay, cx),
-                 ec = difference_of_products(bx, ay, by, ax);
-    const __m128 zero = _mm_setzero_ps();
-    const __m128 lowest = _mm_min_ps(ea, _mm_min_ps(eb, ec)), highest = _mm_max_ps(ea, _mm_max_ps(eb, ec));
-    const __m128 sum = _mm_add_ps(_mm_add_ps(ea, eb), ec);
-    const __m128 missed = _mm_or_ps(_mm_and_ps(_mm_cmplt_ps(lowest, zero), _mm_cmpgt_ps(highest, zero)),
-                                    _mm_cmpeq_ps(sum, zero));
-    const auto met = static_cast<unsigned>(_mm_movemask_ps(missed)) ^ 15U;
-    if (met == 0) return 0;
-    const __m128 tiny = _mm_and_ps(_mm_cmplt_ps(sum, all(0x1p-60F)), _mm_cmpgt_ps(sum, all(-0x1p-60F)));
-    const __m128 scale = _mm_blendv_ps(all(1), all(0x1p60F), tiny);
-    const __m128 weighted =
-        _mm_fmadd_ps(_mm_mul_ps(ea, scale), dot(ray.direction, a),
-                     _mm_fmadd_ps(_mm_mul_ps(eb, scale), dot(ray.direction, b),
-                                  _mm_mul_ps(_mm_mul_ps(ec, scale), dot(ray.direction, c))));
-    const __m128 distance = _mm_mul_ps(divide(weighted, _mm_mul_ps(sum, scale)), all(ray.inverse_square));
-    _mm_store_ps(t, distance);
-    return met & static_cast<unsigned>(_mm_movemask_ps(_mm_cmpgt_ps(distance, zero)));
-  }
-};
-
 // Calls act(i) for each bit that is set, from the lowest on.
 template <class Act>
 MASU_ALWAYS_INLINE void each_bit(unsigned bits, const Act& act) {
@@ -178,28 +114,29 @@ MASU_ALWAYS_INLINE void prefetch(const Record* record) {
   __builtin_prefetch(reinterpret_cast<const char*>(record + 1) - 1);
 }
 
-// Calls found(primitive, t) for each of references[i], bit i of `bits` set, that the ray meets at a t > 0 no
-// larger than `farthest`: not in the order of the references.
+// Calls found(primitive, t) for each of references[i], bit i of `bits` set, that the ray meets at a t > 0:
+// not in the order of the references.
 template <class Found>
 MASU_ALWAYS_INLINE void meet_triangles(const Triangle<float>* triangles, const WatertightRay<float>& ray,
                                        const PrimitiveIndex* references, std::uint32_t bits,
                                        const Found& found) {
+  const WatertightRay<Floats8> rays{{all_of(ray.origin), all_of(ray.direction), ray.inverse_square},
+                                    all_of(ray.across1),
+                                    all_of(ray.across2)};
   while (bits != 0) {
-    const auto next = [&] { // the last one again where there are no more
-      const PrimitiveIndex primitive = references[std::countr_zero(bits)];
-      const std::uint32_t rest = bits & (bits - 1);
-      bits = rest;
-      return primitive;
-    };
-    PrimitiveIndex four[4];
-    four[0] = next();
-    four[1] = bits != 0 ? next() : four[0];
-    four[2] = bits != 0 ? next() : four[0];
-    four[3] = bits != 0 ? next() : four[0];
-    alignas(16) float t[4];
-    each_bit(FourTriangles{ray}.intersect(triangles[four[0]], triangles[four[1]], triangles[four[2]],
-                                          triangles[four[3]], t),
-             [&](int i) { found(four[i], t[i]); });
+    PrimitiveIndex eight[8];
+    eight[0] = references[std::countr_zero(bits)];
+    bits &= bits - 1;
+    for (int i = 1; i < 8; ++i) { // the last one again where there are no more
+      eight[i] = bits != 0 ? references[std::countr_zero(bits)] : eight[i - 1];
+      bits &= bits - 1;
+    }
+    Floats8 each;
+    const unsigned hits = intersect(rays, triangles, eight, each).bits();
+    if (hits == 0) continue;
+    Numbers8 t;
+    t.set(each);
+    each_bit(hits, [&](int i) { found(eight[i], t.of[i]); });
   }
 }
 
@@ -228,12 +165,12 @@ MASU_ALWAYS_INLINE void prefetch_references(const Visitor& visitor, const Primit
   }
 }
 
-// Room for what a walk has ahead. Apart from it, since where many are made it isn't to be cleared.
+// Room for what a walk has ahead.
 inline constexpr int max_nodes_ahead = (boxes_per_node - 1) * max_hierarchy_depth;
 using NodesAhead = NodeAhead[max_nodes_ahead];
 
 // A walk under way. The tests of a node's references come with the next step, and what either needs is
-// prefetched: so that steps of other rays can come between.
+// prefetched.
 class NearestFirstWalk {
 public:
   // A ray's origin, and its direction's inverse, bounded.

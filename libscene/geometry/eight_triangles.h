@@ -7,7 +7,21 @@
 namespace masu {
 
 // intersect() of triangle.h lane by lane, with the same operations in the same order, so that t has the same
-// bits. Returns where t > 0; elsewhere `t` is anything.
+// bits; of corners relative to the rays' origins. Returns where t > 0; elsewhere `t` is anything.
+MASU_ALWAYS_INLINE Mask8 intersect(const WatertightRay<Floats8>& ray, const Vec3<Floats8>& a,
+                                   const Vec3<Floats8>& b, const Vec3<Floats8>& c, Floats8& t) {
+  const EdgeFunctions<Floats8> e = edge_functions(ray, a, b, c);
+  const Floats8 zero = 0, lowest = min(e.a, min(e.b, e.c)), highest = max(e.a, max(e.b, e.c)),
+                sum = e.a + e.b + e.c;
+  const Mask8 missed = ((lowest < zero) & (zero < highest)) | (sum == zero);
+  const Floats8 scale = select((sum < 0x1p-60F) & (Floats8(-0x1p-60F) < sum), 0x1p60F, 1);
+  const Floats8 weighted = fma(e.a * scale, dot(ray.direction, a),
+                               fma(e.b * scale, dot(ray.direction, b), e.c * scale * dot(ray.direction, c)));
+  t = fast_divide(weighted, sum * scale) * ray.inverse_square;
+  return without(zero < t, missed);
+}
+
+// The same of a triangle for each lane.
 MASU_ALWAYS_INLINE Mask8 intersect(const WatertightRay<Floats8>& ray, const Triangle<float>* triangles,
                                    const PrimitiveIndex* eight, Floats8& t) {
   // A corner of each, relative to the ray's origin.
@@ -26,15 +40,7 @@ MASU_ALWAYS_INLINE Mask8 intersect(const WatertightRay<Floats8>& ray, const Tria
   };
   const Vec3<Floats8> a = corner(&Triangle<float>::a), b = corner(&Triangle<float>::b),
                       c = corner(&Triangle<float>::c);
-  const EdgeFunctions<Floats8> e = edge_functions(ray, a, b, c);
-  const Floats8 zero = 0, lowest = min(e.a, min(e.b, e.c)), highest = max(e.a, max(e.b, e.c)),
-                sum = e.a + e.b + e.c;
-  const Mask8 missed = ((lowest < zero) & (zero < highest)) | (sum == zero);
-  const Floats8 scale = select((sum < 0x1p-60F) & (Floats8(-0x1p-60F) < sum), 0x1p60F, 1);
-  const Floats8 weighted = fma(e.a * scale, dot(ray.direction, a),
-                               fma(e.b * scale, dot(ray.direction, b), e.c * scale * dot(ray.direction, c)));
-  t = fast_divide(weighted, sum * scale) * ray.inverse_square;
-  return without(zero < t, missed);
+  return intersect(ray, a, b, c, t);
 }
 
 } // namespace masu

@@ -76,6 +76,14 @@ MASU_ALWAYS_INLINE Floats8 largest_magnitude(const Vec3<Floats8>& a) {
   const Vec3<Floats8> m = magnitudes(a);
   return max(m.x, max(m.y, m.z));
 }
+MASU_ALWAYS_INLINE float largest_lane(Floats8 a) {
+  __m128 four = _mm_max_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+  four = _mm_max_ps(four, _mm_movehl_ps(four, four));
+  return _mm_cvtss_f32(_mm_max_ss(four, _mm_movehdup_ps(four)));
+}
+MASU_ALWAYS_INLINE float least_lane(Floats8 a) {
+  return -largest_lane(-a);
+}
 // Lane i of the result is lane lanes[i] of `v`.
 MASU_ALWAYS_INLINE Floats8 permuted(Floats8 v, __m256i lanes) {
   return _mm256_permutevar8x32_ps(v.v, lanes);

@@ -7,10 +7,10 @@
 #include "renderer/rays/ray_query.h"
 
 #include <algorithm>
-#include <optional>
-#include <type_traits>
 
 namespace masu {
+
+inline constexpr Hit<float> no_hit{static_cast<float>(INFINITY), no_primitive};
 
 // Not initialised: it is made for every eight rays.
 struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init)
@@ -113,80 +113,29 @@ private:
   }
 };
 
-// One of eight rays on its way through a hierarchy.
-template <class Visitor>
-struct RayInFlight {
-  WatertightRay<float> ray;
-  NoCounts counts{};
-  Visitor visitor; // refers to both
-  NearestFirstWalk walk;
-
-  template <class Stored, class Nothing>
-  MASU_ALWAYS_INLINE RayInFlight(const SceneView<Stored>& scene, const EightRays& rays, std::size_t i,
-                                 const Nothing& nothing, NodesAhead& ahead)
-      : ray(rays.test_ray(i)), visitor{scene, ray, counts, rays.t_max.of[i], nothing},
-        walk(ray.origin, bounded_inverse(rays.clipped(i)), ahead) {}
-  ~RayInFlight() = default;
-  RayInFlight(const RayInFlight&) = delete;
-  RayInFlight& operator=(const RayInFlight&) = delete;
-};
-
-// Shows a visitor of each ray that meets the bounds what it may hit: done(i, visitor) at its end. Rays walk
-// through a hierarchy in turns, a node each: while one waits for memory others go on. `nothing` makes of
-// t_max what a visitor begins with.
-template <class Visitor, class Stored, class Grid, class Nothing, class Done>
-inline void visit_eight(const SceneView<Stored>& scene, const Grid& grid, const EightRays& rays,
-                        const Nothing& nothing, const Done& done) {
-  const auto each = [](unsigned bits, const auto& act) {
-    each_bit(bits, [&](int i) { act(static_cast<std::size_t>(i)); });
-  };
-  if constexpr (std::is_same_v<Grid, HierarchyView<float>>) {
-    NodesAhead ahead[EightRays::count];
-    std::optional<RayInFlight<Visitor>> flights[EightRays::count];
-    each(rays.meet_bounds,
-         [&](std::size_t i) { flights[i].emplace(scene, rays, i, nothing(rays.t_max.of[i]), ahead[i]); });
-    for (unsigned going = rays.meet_bounds; going != 0;) {
-      each(going, [&](std::size_t i) {
-        if (!flights[i]->walk.advance(grid, flights[i]->visitor)) going &= ~(1U << i);
-      });
-    }
-    each(rays.meet_bounds, [&](std::size_t i) { done(i, flights[i]->visitor); });
-  } else {
-    each(rays.meet_bounds, [&](std::size_t i) {
-      const WatertightRay<float> ray = rays.test_ray(i);
-      const float t_max = rays.t_max.of[i];
-      NoCounts counts;
-      Visitor visitor{scene, ray, counts, t_max, nothing(t_max)};
-      visit(grid, rays.clipped(i), scene.primitive_count(), visitor);
-      done(i, visitor);
-    });
-  }
-}
-
-// Calls found(i, hit) for each of the rays, with what trace_listed() has it hit.
+// Calls found(i, hit) for each of the rays, with what trace_listed() has it hit: they walk through a grid one
+// after the other.
 template <Query query, class M, class Stored, class Grid, class Found>
 inline void trace_eight(const SceneView<Stored>& scene, const Grid& grid, const EightRays& rays,
                         const Found& found) {
-  Hit<float> hits[EightRays::count];
-  std::fill_n(hits, EightRays::count, Hit<float>{static_cast<float>(INFINITY), no_primitive});
-  if constexpr (query == Query::occlusion) {
-    visit_eight<AnyHit<M, Stored, NoCounts>>(
-        scene, grid, rays, [](float t_max) { return t_max; },
-        [&](std::size_t i, const auto& visitor) {
-          if (visitor.found()) hits[i] = {0, 0};
-        });
-  } else {
-    visit_eight<NearestHit<M, Stored, NoCounts>>(
-        scene, grid, rays,
-        [](float t_max) {
-          return Hit<float>{t_max, 0};
-        },
-        [&](std::size_t i, const auto& visitor) {
-          hits[i] = reported(visitor.hit, visitor.t_max, rays.skipped.of[i], rays.scale.of[i]);
-        });
+  for (std::size_t i = 0; i < EightRays::count; ++i) {
+    Hit<float> hit = no_hit;
+    if ((rays.meet_bounds >> i & 1) != 0) {
+      const WatertightRay<float> ray = rays.test_ray(i);
+      const float t_max = rays.t_max.of[i];
+      NoCounts counts;
+      if constexpr (query == Query::occlusion) {
+        AnyHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, t_max};
+        visit(grid, rays.clipped(i), scene.primitive_count(), visitor);
+        if (visitor.found()) hit = {0, 0};
+      } else {
+        NearestHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, {t_max, 0}};
+        visit(grid, rays.clipped(i), scene.primitive_count(), visitor);
+        hit = reported(visitor.hit, t_max, rays.skipped.of[i], rays.scale.of[i]);
+      }
+    }
+    found(i, hit);
   }
-  for (std::size_t i = 0; i < EightRays::count; ++i)
-    found(i, hits[i]);
 }
 
 // Traces the rays of a list from `first` on, eight in step: as many times eight as there are before `end`.
@@ -196,7 +145,6 @@ template <Query query, class M, class Stored, class Found>
 [[gnu::noinline]] inline std::size_t
 trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const void* rays,
               const RayFormat& format, std::size_t first, std::size_t end, const Found& found) {
-  constexpr Hit<float> miss{static_cast<float>(INFINITY), no_primitive};
   end = first + (end - first) / EightRays::count * EightRays::count;
   // Of eight rays that are made ready those that nobody has taken.
   EightRays eight;
@@ -210,7 +158,7 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
       eight.load(rays, format, loaded);
       eight.prepare(scene.clip);
       ready = eight.meet_bounds;
-      each_bit(ready ^ 0xff, [&](int missed) { found(loaded + static_cast<std::size_t>(missed), miss); });
+      each_bit(ready ^ 0xff, [&](int missed) { found(loaded + static_cast<std::size_t>(missed), no_hit); });
       loaded += EightRays::count;
     }
     const auto k = static_cast<std::size_t>(std::countr_zero(ready));
@@ -219,7 +167,7 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
     return true;
   };
   const auto report = [&](std::size_t i, const Hit<float>& hit, float skipped, float scale) {
-    found(i, hit.primitive == no_primitive ? miss : Hit<float>{(hit.t + skipped) * scale, hit.primitive});
+    found(i, hit.primitive == no_primitive ? no_hit : Hit<float>{(hit.t + skipped) * scale, hit.primitive});
   };
 
   struct Listed {
@@ -262,13 +210,15 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
   return end;
 }
 
-// Whether neighbours among a list's rays begin close to each other and go the same way, as camera rays do.
-// Then the processor foretells branches well, and eight rays in turns take less time than eight in step.
-[[gnu::noinline]] inline bool are_coherent(const void* rays, const RayFormat& format, std::size_t first,
-                                           std::size_t end, const Box<float>& bounds) {
+// Whether neighbours among a list's rays begin close to each other and go the same way, as camera rays do:
+// then they take less time as packets (packet.h) than in step. Rays that only ask whether anything is hit
+// must begin at one point: of shadow rays, which begin at surfaces, few meet the same boxes.
+[[gnu::noinline]] inline bool are_coherent(Query query, const void* rays, const RayFormat& format,
+                                           std::size_t first, std::size_t end, const Box<float>& bounds) {
   constexpr std::size_t samples = 16, apart = EightRays::count - 1;
   if (end - first <= apart) return true;
-  const float near = largest_magnitude(bounds.max - bounds.min) / 32;
+  const float near =
+      largest_magnitude(bounds.max - bounds.min) * (query == Query::occlusion ? 0x1p-12F : 0x1p-5F);
   std::size_t alike = 0;
   for (std::size_t sample = 0; sample < samples; ++sample) {
     const std::size_t i = first + (end - first - apart) * sample / samples;

@@ -1,6 +1,6 @@
 #include "renderer/cpu/on_cpu.h"
 #ifdef MASU_HOST_AVX2
-#include "renderer/cpu/eight_rays.h"
+#include "renderer/cpu/packet.h"
 #endif
 
 #include <tbb/blocked_range.h>
@@ -26,8 +26,9 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
         write_attributes(scene, loaded<float>(rays.rays, rays.format, i), hit, results, i);
     };
     if constexpr (std::is_same_v<Grid, HierarchyView<float>>) {
-      if (!are_coherent(rays.rays, rays.format, first, end, scene.clip))
-        return trace_in_step<query, M>(scene, grid, rays.rays, rays.format, first, end, write);
+      return are_coherent(query, rays.rays, rays.format, first, end, scene.clip)
+                 ? trace_packets<query, M>(scene, grid, rays.rays, rays.format, first, end, write)
+                 : trace_in_step<query, M>(scene, grid, rays.rays, rays.format, first, end, write);
     }
     EightRays eight;
     for (; first + EightRays::count <= end; first += EightRays::count) {

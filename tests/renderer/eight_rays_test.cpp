@@ -1,9 +1,9 @@
-// Rays made ready eight at a time, that walk in turns or in step and whose triangles are tested several at a
+// Rays made ready eight at a time, that walk as packets or in step and whose triangles are tested eight at a
 // time, give the bits that one ray gives that tries one primitive after the other.
 #include "libscene/base/portable.h"
 
 #ifdef MASU_HOST_AVX2
-#include "renderer/cpu/eight_rays.h"
+#include "renderer/cpu/packet.h"
 #endif
 
 #include "tests/random_grid.h"
@@ -66,24 +66,19 @@ void compare(const TestScene<float>& scene, const SceneView<float>& view, const 
         << described(scene);
   };
   const auto hierarchy = hierarchy_view_of<float>(grid);
-  // In turns
-  if (rays.size() - first >= EightRays::count) {
-    EightRays eight;
-    eight.load(rays.data(), own_format<float>, first);
-    eight.prepare(view.clip);
-    trace_eight<query, M>(view, hierarchy, eight,
-                          [&](std::size_t i, const Hit<float>& found) { check(first + i, found); });
-  }
-  // In step
-  std::vector<int> times(rays.size());
-  const std::size_t end = trace_in_step<query, M>(view, hierarchy, rays.data(), own_format<float>, first,
-                                                  rays.size(), [&](std::size_t i, const Hit<float>& found) {
-                                                    ++times.at(i);
-                                                    check(i, found);
-                                                  });
-  EXPECT_LT(rays.size() - end, EightRays::count);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    EXPECT_EQ(times[i], i >= first && i < end ? 1 : 0);
+  const auto trace_all = [&](const auto& trace) {
+    std::vector<int> times(rays.size());
+    const std::size_t end = trace(view, hierarchy, rays.data(), own_format<float>, first, rays.size(),
+                                  [&](std::size_t i, const Hit<float>& found) {
+                                    ++times.at(i);
+                                    check(i, found);
+                                  });
+    EXPECT_LT(rays.size() - end, EightRays::count);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      EXPECT_EQ(times[i], i >= first && i < end ? 1 : 0);
+  };
+  trace_all([](const auto&... all) { return trace_packets<query, M>(all...); });
+  trace_all([](const auto&... all) { return trace_in_step<query, M>(all...); });
 }
 
 // Returns how many rays hit something.
@@ -104,8 +99,19 @@ std::int64_t compare_scenes(std::int64_t scenes, Chance& chance) {
     RayMaker<float> maker(chance, scene, bounds, grid);
     // As many as take each other's places, or too few for that.
     std::vector<Ray<float>> rays(static_cast<std::size_t>(chance.one_in(2) ? chance.whole(0, 40) : 240));
-    for (Ray<float>& ray : rays)
-      ray = any_ray(chance, maker.ray());
+    const bool alike = chance.one_in(2); // but for those that aren't valid
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      Ray<float> ray = maker.ray();
+      if (alike && i % 32 != 0) {
+        const Ray<float>& other = rays[i - 1];
+        const auto moved = [&](const Vec3f& from, const Vec3f& to) {
+          return fma(to - from, static_cast<float>(chance.power_of_two(-20, -4)), from);
+        };
+        ray = {moved(other.origin, ray.origin), other.t_min, moved(other.direction, ray.direction),
+               other.t_max};
+      }
+      rays[i] = alike && !chance.one_in(40) ? ray : any_ray(chance, ray);
+    }
     const auto first = std::min(rays.size(), static_cast<std::size_t>(chance.whole(0, 9)));
     compare<Query::nearest_hit, M>(scene, view, grid, rays, first, hits);
     compare<Query::occlusion, M>(scene, view, grid, rays, first, hits);
@@ -133,8 +139,9 @@ TEST_F(RaysByEight, AreCoherentWhereNeighboursAreAlike) {
       others.push_back(unbounded_ray(Vec3f{coordinate(), coordinate(), coordinate()},
                                      Vec3f{coordinate(), coordinate(), 0.1F + coordinate()}));
     }
-    EXPECT_TRUE(are_coherent(alike.data(), own_format<float>, 3, alike.size(), bounds));
-    EXPECT_FALSE(are_coherent(others.data(), own_format<float>, 3, others.size(), bounds));
+    EXPECT_TRUE(are_coherent(Query::nearest_hit, alike.data(), own_format<float>, 3, alike.size(), bounds));
+    EXPECT_FALSE(
+        are_coherent(Query::nearest_hit, others.data(), own_format<float>, 3, others.size(), bounds));
   }
 }
 
