@@ -61,12 +61,23 @@ struct RayStack {
   MASU_HD PendingRay<Real> pop() { return rays[--size]; }
 };
 
-template <class M, class Stored, class Grid, class Counts>
-MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Grid& grid, const Material& material,
-                                  const SurfacePoint<typename M::Real>& point,
-                                  const Facing<typename M::Real>& side,
-                                  const Vec3<typename M::Real>& direction, Counts& counts) {
-  using Real = typename M::Real;
+// A camera ray and what it spawns, on their way one after the other.
+template <class Real>
+struct RayTree {
+  PendingRay<Real> ray; // the one to be traced next
+  RayStack<Real> pending;
+  Vec3f light{0, 0, 0}; // that has come back so far
+
+  MASU_HD explicit RayTree(const Ray<Real>& camera_ray)
+      : ray{camera_ray.origin, camera_ray.direction, 1, 1} {}
+};
+
+// The light that a point of a surface sends along a ray, of which `direction` is that. occluded(ray): whether
+// a shadow ray is.
+template <class Real, class Stored, class Occluded, class Counts>
+MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Material& material,
+                                  const SurfacePoint<Real>& point, const Facing<Real>& side,
+                                  const Vec3<Real>& direction, const Occluded& occluded, Counts& counts) {
   const Vec3f diffuse = material.color * material.diffuse;
   Vec3f light = diffuse * scene.ambient;
   for (std::uint32_t i = 0; i < scene.light_count; ++i) {
@@ -78,9 +89,9 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Grid& gr
     const Real distance = length(path);
     if (!(distance > 0)) continue;
     const Vec3<Real> l = path * (1 / distance);
-    const bool occluded = is_occluded<M>(scene, grid, Ray<Real>{origin, 0, l, distance}, counts);
-    counts.shadow_ray(occluded);
-    if (occluded) continue;
+    const bool is_dark = occluded(Ray<Real>{origin, 0, l, distance});
+    counts.shadow_ray(is_dark);
+    if (is_dark) continue;
     const Real cosine = max(dot(side.shading, l), Real(0));
     Vec3f reflected = diffuse * static_cast<float>(cosine);
     if (material.specular > 0) {
@@ -134,36 +145,48 @@ MASU_HD inline void spawn(const RenderRules& rules, const Material& material, co
   }
 }
 
-// The light that comes back along a camera ray, and what it hit. Nothing is shaded for a depth of 0. M: a
-// Method.
+// Takes what the tree's ray hit: the light that comes from there, and what is spawned. Nothing is shaded for
+// a depth of 0. Sets `first_hit` where it is the camera's ray. False at the end of the tree. M: a Method.
+template <class M, class Stored, class Occluded, class Counts>
+MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& rules,
+                           const NearHit<typename M::TestRay>& hit, RayTree<typename M::Real>& tree,
+                           HitRecord& first_hit, const Occluded& occluded, Counts& counts) {
+  using Real = typename M::Real;
+  const PendingRay<Real>& ray = tree.ray;
+  const bool met = hit.hit.primitive != no_primitive;
+  if (ray.depth == 1) {
+    counts.camera_ray(met);
+    first_hit = hit_record(scene, relative_to_origin(hit), Real(1), rules.hit_name);
+    if (rules.depth == 0) return false;
+  } else {
+    counts.secondary_ray(met);
+  }
+  if (met) {
+    const SurfacePoint<Real> point = surface_at<M::kinds>(scene, hit);
+    const Material material = scene.materials[point.material];
+    const Facing<Real> side = facing(point, ray.direction);
+    tree.light =
+        tree.light + direct_light(scene, material, point, side, ray.direction, occluded, counts) * ray.weight;
+    spawn(rules, material, point, side, ray, tree.pending, counts);
+  } else {
+    tree.light = tree.light + scene.background * ray.weight;
+  }
+  if (tree.pending.size == 0) return false;
+  tree.ray = tree.pending.pop();
+  return true;
+}
+
+// The light that comes back along a camera ray, and what it hit.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, const RenderRules& rules,
                               const Ray<typename M::Real>& first, HitRecord& first_hit, Counts& counts) {
   using Real = typename M::Real;
-  Vec3f light{0, 0, 0};
-  RayStack<Real> pending;
-  PendingRay<Real> ray{first.origin, first.direction, 1, 1};
+  RayTree<Real> tree(first);
   for (;;) {
-    const auto hit = nearest_hit_near<M>(scene, grid, unbounded_ray(ray.origin, ray.direction), counts);
-    const bool met = hit.hit.primitive != no_primitive;
-    if (ray.depth == 1) {
-      counts.camera_ray(met);
-      first_hit = hit_record(scene, relative_to_origin(hit), Real(1), rules.hit_name);
-      if (rules.depth == 0) return light;
-    } else {
-      counts.secondary_ray(met);
-    }
-    if (met) {
-      const SurfacePoint<Real> point = surface_at<M::kinds>(scene, hit);
-      const Material material = scene.materials[point.material];
-      const Facing<Real> side = facing(point, ray.direction);
-      light = light + direct_light<M>(scene, grid, material, point, side, ray.direction, counts) * ray.weight;
-      spawn(rules, material, point, side, ray, pending, counts);
-    } else {
-      light = light + scene.background * ray.weight;
-    }
-    if (pending.size == 0) return light;
-    ray = pending.pop();
+    const auto hit =
+        nearest_hit_near<M>(scene, grid, unbounded_ray(tree.ray.origin, tree.ray.direction), counts);
+    const auto occluded = [&](const Ray<Real>& ray) { return is_occluded<M>(scene, grid, ray, counts); };
+    if (!follow<M>(scene, rules, hit, tree, first_hit, occluded, counts)) return tree.light;
   }
 }
 

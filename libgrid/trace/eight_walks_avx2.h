@@ -46,12 +46,13 @@ MASU_ALWAYS_INLINE void transpose(__m256i (&rows)[8]) {
 // Each row's signed numbers from the largest to the smallest.
 MASU_ALWAYS_INLINE void sort_descending(__m256i (&rows)[8]) {
   transpose(rows);
-  const auto order = [&](int larger, int smaller) {
+  const auto order = [&](int larger, int smaller) __attribute__((always_inline)) {
     const __m256i a = rows[larger], b = rows[smaller];
     rows[larger] = _mm256_max_epi32(a, b);
     rows[smaller] = _mm256_min_epi32(a, b);
   };
-  const auto order_four = [&](int a, int b, int c, int d, int e, int f, int g, int h) {
+  const auto order_four = [&](int a, int b, int c, int d, int e, int f, int g, int h)
+      __attribute__((always_inline)) {
     order(a, b);
     order(c, d);
     order(e, f);

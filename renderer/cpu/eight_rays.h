@@ -12,6 +12,19 @@ namespace masu {
 
 inline constexpr Hit<float> no_hit{static_cast<float>(INFINITY), no_primitive};
 
+// What a ray of a list hits. `near` counts t from where the ray enters the scene's bounds, and in lengths of
+// the direction as it was scaled.
+struct ListedHit {
+  Hit<float> near;
+  float skipped, scale;
+};
+inline constexpr ListedHit no_listed_hit{no_hit, 0, 1};
+// As trace_listed() has it.
+inline Hit<float> reported(const ListedHit& hit) {
+  if (hit.near.primitive == no_primitive) return no_hit;
+  return {(hit.near.t + hit.skipped) * hit.scale, hit.near.primitive};
+}
+
 // Not initialised: it is made for every eight rays.
 struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init)
   static constexpr std::size_t count = 8;
@@ -139,8 +152,7 @@ inline void trace_eight(const SceneView<Stored>& scene, const Grid& grid, const 
 }
 
 // Traces the rays of a list from `first` on, eight in step: as many times eight as there are before `end`.
-// Calls found(i, hit) for each, in any order, with what trace_listed() has it hit, and returns the first that
-// is left.
+// Calls found(i, ListedHit) for each, in any order, and returns the first that is left.
 template <Query query, class M, class Stored, class Found>
 [[gnu::noinline]] inline std::size_t
 trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const void* rays,
@@ -158,7 +170,8 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
       eight.load(rays, format, loaded);
       eight.prepare(scene.clip);
       ready = eight.meet_bounds;
-      each_bit(ready ^ 0xff, [&](int missed) { found(loaded + static_cast<std::size_t>(missed), no_hit); });
+      each_bit(ready ^ 0xff,
+               [&](int missed) { found(loaded + static_cast<std::size_t>(missed), no_listed_hit); });
       loaded += EightRays::count;
     }
     const auto k = static_cast<std::size_t>(std::countr_zero(ready));
@@ -166,10 +179,6 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
     take(loaded - EightRays::count + k, k);
     return true;
   };
-  const auto report = [&](std::size_t i, const Hit<float>& hit, float skipped, float scale) {
-    found(i, hit.primitive == no_primitive ? no_hit : Hit<float>{(hit.t + skipped) * scale, hit.primitive});
-  };
-
   struct Listed {
     std::size_t i;
     float skipped, scale;
@@ -186,7 +195,7 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
   Group groups[]{Group(grid), Group(grid), Group(grid)};
   const auto next_ray = [&](Group& group, int lane) {
     Listed& listed = group.listed[lane];
-    if (listed.i != none) report(listed.i, group.walks.hit(lane), listed.skipped, listed.scale);
+    if (listed.i != none) found(listed.i, ListedHit{group.walks.hit(lane), listed.skipped, listed.scale});
     const bool begun = take_next([&](std::size_t i, std::size_t k) {
       listed = {i, eight.skipped.of[k], eight.scale.of[k]};
       group.walks.begin(lane, eight.test_ray(k), bounded_inverse(eight.clipped(k)), eight.t_max.of[k]);
@@ -208,26 +217,6 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
     }
   }
   return end;
-}
-
-// Whether neighbours among a list's rays begin close to each other and go the same way, as camera rays do:
-// then they take less time as packets (packet.h) than in step. Rays that only ask whether anything is hit
-// must begin at one point: of shadow rays, which begin at surfaces, few meet the same boxes.
-[[gnu::noinline]] inline bool are_coherent(Query query, const void* rays, const RayFormat& format,
-                                           std::size_t first, std::size_t end, const Box<float>& bounds) {
-  constexpr std::size_t samples = 16, apart = EightRays::count - 1;
-  if (end - first <= apart) return true;
-  const float near =
-      largest_magnitude(bounds.max - bounds.min) * (query == Query::occlusion ? 0x1p-12F : 0x1p-5F);
-  std::size_t alike = 0;
-  for (std::size_t sample = 0; sample < samples; ++sample) {
-    const std::size_t i = first + (end - first - apart) * sample / samples;
-    const Ray<float> a = loaded<float>(rays, format, i), b = loaded<float>(rays, format, i + apart);
-    const float both = dot(a.direction, b.direction);
-    alike += largest_magnitude(a.origin - b.origin) <= near && both > 0 &&
-             both * both >= 0.9F * dot(a.direction, a.direction) * dot(b.direction, b.direction);
-  }
-  return alike * 2 > samples;
 }
 
 } // namespace masu

@@ -259,7 +259,7 @@ private:
 };
 
 // Traces the rays of a list from `first` on, as many times eight as there are before `end`. Calls found(i,
-// hit) for each, with what trace_listed() has it hit, and returns the first that is left.
+// ListedHit) for each, in any order, and returns the first that is left.
 template <Query query, class M, class Stored, class Found>
 [[gnu::noinline]] inline std::size_t
 trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const void* rays,
@@ -273,7 +273,8 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
       packet[e].load(rays, format, next);
       packet[e].prepare(scene.clip);
       left[e] = packet[e].meet_bounds;
-      each_bit(left[e] ^ 0xff, [&](int missed) { found(next + static_cast<std::size_t>(missed), no_hit); });
+      each_bit(left[e] ^ 0xff,
+               [&](int missed) { found(next + static_cast<std::size_t>(missed), no_listed_hit); });
     }
     // One way after the other: those that run as the first that is left does.
     for (int e = 0; e < Walk::eights; ++e) {
@@ -297,14 +298,10 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
           store_eight(primitives, walk.primitive(of));
           each_bit(alike[of], [&](int lane) {
             const auto i = static_cast<std::size_t>(lane);
-            Hit<float> hit = no_hit;
-            if constexpr (query == Query::occlusion) {
-              if (t.of[i] < 0) hit = {0, 0};
-            } else {
-              hit = reported(Hit<float>{t.of[i], primitives[i]}, own.t_max.of[i], own.skipped.of[i],
-                             own.scale.of[i]);
-            }
-            found(first + EightRays::count * static_cast<std::size_t>(of) + i, hit);
+            const bool hits = query == Query::occlusion ? t.of[i] < 0 : t.of[i] < own.t_max.of[i];
+            found(first + EightRays::count * static_cast<std::size_t>(of) + i,
+                  ListedHit{
+                      {t.of[i], hits ? primitives[i] : no_primitive}, own.skipped.of[i], own.scale.of[i]});
           });
         }
       }
@@ -312,6 +309,36 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
     first = next;
   }
   return first;
+}
+
+// Whether neighbours among a list's rays begin close to each other and go the same way, as camera rays do:
+// then they take less time as packets than in step. Rays that only ask whether anything is hit
+// must begin at one point: of shadow rays, which begin at surfaces, few meet the same boxes.
+[[gnu::noinline]] inline bool are_coherent(Query query, const void* rays, const RayFormat& format,
+                                           std::size_t first, std::size_t end, const Box<float>& bounds) {
+  constexpr std::size_t samples = 16, apart = EightRays::count - 1;
+  if (end - first <= apart) return true;
+  const float near =
+      largest_magnitude(bounds.max - bounds.min) * (query == Query::occlusion ? 0x1p-12F : 0x1p-5F);
+  std::size_t alike = 0;
+  for (std::size_t sample = 0; sample < samples; ++sample) {
+    const std::size_t i = first + (end - first - apart) * sample / samples;
+    const Ray<float> a = loaded<float>(rays, format, i), b = loaded<float>(rays, format, i + apart);
+    const float both = dot(a.direction, b.direction);
+    alike += largest_magnitude(a.origin - b.origin) <= near && both > 0 &&
+             both * both >= 0.9F * dot(a.direction, a.direction) * dot(b.direction, b.direction);
+  }
+  return alike * 2 > samples;
+}
+
+// As packets, or in step.
+template <Query query, class M, class Stored, class Found>
+inline std::size_t trace_list(const SceneView<Stored>& scene, const HierarchyView<float>& grid,
+                              const void* rays, const RayFormat& format, std::size_t first, std::size_t end,
+                              const Found& found) {
+  return are_coherent(query, rays, format, first, end, scene.clip)
+             ? trace_packets<query, M>(scene, grid, rays, format, first, end, found)
+             : trace_in_step<query, M>(scene, grid, rays, format, first, end, found);
 }
 
 } // namespace masu

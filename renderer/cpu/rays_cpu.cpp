@@ -26,9 +26,11 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
         write_attributes(scene, loaded<float>(rays.rays, rays.format, i), hit, results, i);
     };
     if constexpr (std::is_same_v<Grid, HierarchyView<float>>) {
-      return are_coherent(query, rays.rays, rays.format, first, end, scene.clip)
-                 ? trace_packets<query, M>(scene, grid, rays.rays, rays.format, first, end, write)
-                 : trace_in_step<query, M>(scene, grid, rays.rays, rays.format, first, end, write);
+      return trace_list<query, M>(
+          scene, grid, rays.rays, rays.format, first,
+          end, [&](std::size_t i, const ListedHit& hit) __attribute__((always_inline)) {
+            write(i, reported(hit));
+          });
     }
     EightRays eight;
     for (; first + EightRays::count <= end; first += EightRays::count) {

@@ -69,9 +69,9 @@ void compare(const TestScene<float>& scene, const SceneView<float>& view, const 
   const auto trace_all = [&](const auto& trace) {
     std::vector<int> times(rays.size());
     const std::size_t end = trace(view, hierarchy, rays.data(), own_format<float>, first, rays.size(),
-                                  [&](std::size_t i, const Hit<float>& found) {
+                                  [&](std::size_t i, const ListedHit& found) {
                                     ++times.at(i);
-                                    check(i, found);
+                                    check(i, reported(found));
                                   });
     EXPECT_LT(rays.size() - end, EightRays::count);
     for (std::size_t i = 0; i < rays.size(); ++i)

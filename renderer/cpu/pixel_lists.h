@@ -1,0 +1,119 @@
+// Pixels that are followed side by side through a hierarchy: of each a ray at a time, and of what these hit
+// the shadow rays, as lists (packet.h), which take less time than one ray after another. Each pixel sees what
+// radiance() has it see, to the bit. Host only, with AVX2 and FMA.
+#pragma once
+
+#include "renderer/cpu/packet.h"
+#include "renderer/render_pixel.h"
+
+#include <vector>
+
+namespace masu {
+
+// M: a Method by watertight tests in float32 arithmetic.
+template <class M, class Stored>
+class PixelLists {
+public:
+  PixelLists(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const RenderRules& rules)
+      : scene_(scene), grid_(grid), rules_(rules) {}
+
+  void clear() { pixels_.clear(); }
+  // Before follow_all(). Neighbours among the pixels should be neighbours in the picture.
+  void add(const Ray<float>& camera_ray) { pixels_.emplace_back(camera_ray); }
+
+  // Until all light has come back.
+  void follow_all() {
+    std::vector<std::size_t> going(pixels_.size());
+    for (std::size_t i = 0; i < going.size(); ++i)
+      going[i] = i;
+    NoCounts counts;
+    while (!going.empty()) {
+      trace_nearest(going);
+      trace_shadow_rays(going);
+      std::size_t shadow_ray = 0, left = 0;
+      const auto occluded = [&](const Ray<float>&) { return dark_[shadow_ray++] != 0; };
+      for (const std::size_t i : going) {
+        Pixel& pixel = pixels_[i];
+        if (follow<M>(scene_, rules_, pixel.hit, pixel.tree, pixel.first_hit, occluded, counts))
+          going[left++] = i;
+      }
+      going.resize(left);
+    }
+  }
+
+  // In the order in which they were added.
+  const Vec3f& light(std::size_t i) const { return pixels_[i].tree.light; }
+  const HitRecord& first_hit(std::size_t i) const { return pixels_[i].first_hit; }
+
+private:
+  struct Pixel {
+    RayTree<float> tree;
+    NearHit<WatertightRay<float>> hit{}; // of the tree's ray
+    HitRecord first_hit{};
+
+    explicit Pixel(const Ray<float>& camera_ray) : tree(camera_ray) {}
+  };
+
+  void trace_nearest(const std::vector<std::size_t>& going) {
+    rays_.clear();
+    for (const std::size_t i : going)
+      rays_.push_back(unbounded_ray(pixels_[i].tree.ray.origin, pixels_[i].tree.ray.direction));
+    trace<Query::nearest_hit>([&](std::size_t k, const ListedHit& found) {
+      NearHit<WatertightRay<float>>& hit = pixels_[going[k]].hit;
+      hit.hit = no_hit;
+      if (found.near.primitive == no_primitive) return;
+      ClippedRay<float> near{};
+      clip(rays_[k], scene_.clip, near);
+      prepare(hit.ray, near.ray.origin, near.ray.direction);
+      hit.hit = {found.near.t * found.scale, found.near.primitive};
+      hit.skipped = near.skipped;
+    });
+    NoCounts counts;
+    for (std::size_t k = 0; k < going.size(); ++k) // no list has those hit anything
+      if (!is_valid(rays_[k])) pixels_[going[k]].hit = nearest_hit_near<M>(scene_, grid_, rays_[k], counts);
+  }
+
+  void trace_shadow_rays(const std::vector<std::size_t>& going) {
+    rays_.clear();
+    if (rules_.depth == 0) return;
+    NoCounts counts;
+    const auto add = [&](const Ray<float>& ray) {
+      rays_.push_back(ray);
+      return true;
+    };
+    for (const std::size_t i : going) {
+      const Pixel& pixel = pixels_[i];
+      if (pixel.hit.hit.primitive == no_primitive) continue;
+      const SurfacePoint<float> point = surface_at<M::kinds>(scene_, pixel.hit);
+      const Vec3f& direction = pixel.tree.ray.direction;
+      direct_light(scene_, scene_.materials[point.material], point, facing(point, direction), direction, add,
+                   counts);
+    }
+    dark_.assign(rays_.size(), 0);
+    trace<Query::occlusion>(
+        [&](std::size_t k, const ListedHit& found) { dark_[k] = found.near.primitive != no_primitive; });
+    for (std::size_t k = 0; k < dark_.size(); ++k)
+      if (!is_valid(rays_[k])) dark_[k] = is_occluded<M>(scene_, grid_, rays_[k], counts);
+  }
+
+  // Calls found(k, hit) for each of rays_, and adds to them what fills up eight.
+  template <Query query, class Found>
+  void trace(const Found& found) {
+    const std::size_t count = rays_.size();
+    rays_.resize((count + EightRays::count - 1) / EightRays::count * EightRays::count); // not valid
+    trace_list<query, M>(scene_, grid_, rays_.data(), own_format<float>, 0, rays_.size(),
+                         [&](std::size_t k, const ListedHit& hit) {
+                           if (k < count) found(k, hit);
+                         });
+    rays_.resize(count);
+  }
+
+  const SceneView<Stored>& scene_;
+  const HierarchyView<float>& grid_;
+  const RenderRules& rules_;
+  std::vector<Pixel> pixels_;
+  std::vector<Ray<float>> rays_;
+  std::vector<std::uint8_t> dark_; // of the shadow rays
+};
+
+} // namespace masu
