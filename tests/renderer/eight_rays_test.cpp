@@ -3,7 +3,7 @@
 #include "libscene/base/portable.h"
 
 #ifdef MASU_HOST_AVX2
-#include "renderer/cpu/packet.h"
+#include "renderer/cpu/pixel_lists.h"
 #endif
 
 #include "tests/random_grid.h"
@@ -125,6 +125,62 @@ TEST_F(RaysByEight, HitTheTrianglesThatOneRayHits) {
 
 TEST_F(RaysByEight, HitThePrimitivesOfAnyKindThatOneRayHits) {
   EXPECT_GT(compare_scenes<with_all_kinds>(cases(1000), chance_), cases(20'000));
+}
+
+// Mirrors and glass in the light of two lamps, some of which are inside of something or very far away; and
+// camera rays that are alike, or not, or begin where no ray of a list may.
+TEST_F(RaysByEight, ShowOfEachPixelWhatItSeesAlone) {
+  using M = Method<WatertightRay<float>, with_all_kinds>;
+  std::int64_t hits = 0;
+  for (std::int64_t s = cases(300); s > 0 && !HasFailure(); --s) {
+    TestScene<float> scene = SceneMaker<float>(chance_, chance_.power_of_two(-10, 20)).scene();
+    if (scene.count() == 0) continue;
+    const auto share = [&] { return static_cast<float>(chance_.uniform(0, 1)); };
+    scene.material = {{share(), share(), share()},
+                      share(),
+                      chance_.one_in(4) ? 0 : share(),
+                      8 * share(),
+                      chance_.one_in(2) ? 0 : 0.5F * share(),
+                      1 + share()};
+    const Boxd bounds = scene.bounds();
+    const Grid grid = hierarchy_of(scene);
+    RayMaker<float> maker(chance_, scene, bounds, grid);
+    Light<float> lights[2];
+    for (Light<float>& light : lights)
+      light = {maker.ray().origin * (chance_.one_in(8) ? 1e5F : 1.0F), {share(), share(), share()}};
+    SceneView<float> view = scene.view();
+    view.lights = lights;
+    view.light_count = 2;
+    view.background = {share(), share(), share()};
+    view.ambient = share();
+    const RenderRules rules{chance_.whole(0, 6), chance_.one_in(3), HitName::primitive};
+    const auto hierarchy = hierarchy_view_of<float>(grid);
+    PixelLists<M, float> pixels(view, hierarchy, rules);
+    std::vector<Ray<float>> rays(static_cast<std::size_t>(chance_.whole(1, 200)));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      Ray<float> ray = maker.ray();
+      if (i % 40 != 0) ray.origin = rays[i - 1].origin;
+      if (chance_.one_in(50)) ray.origin = ray.origin * 1e20F;
+      rays[i] = unbounded_ray(ray.origin, normalized(ray.direction));
+      pixels.add(rays[i]);
+    }
+    pixels.follow_all();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      NoCounts counts;
+      HitRecord hit{};
+      const Vec3f light = radiance<M>(view, NoGrid{}, rules, rays[i], hit, counts);
+      hits += hit.name >= 0;
+      const HitRecord& found = pixels.first_hit(i);
+      EXPECT_TRUE(found.name == hit.name && same_bits(found.t, hit.t))
+          << described(rays[i].origin, rays[i].direction);
+      for (int channel = 0; channel < 3; ++channel)
+        EXPECT_TRUE(same_bits(pixels.light(i)[channel], light[channel]))
+            << described(rays[i].origin, rays[i].direction) << ": " << described(pixels.light(i))
+            << ", expected " << described(light) << '\n'
+            << described(scene);
+    }
+  }
+  EXPECT_GT(hits, cases(2'000));
 }
 
 TEST_F(RaysByEight, AreCoherentWhereNeighboursAreAlike) {
