@@ -153,7 +153,7 @@ public:
     const PrimitiveIndex* const references = hierarchy_.references;
     for (std::uint32_t i = 0; i < end; ++i) {
       test_[i] = references[test_[i]];
-      if constexpr (tests_four_triangles<M, Stored>) prefetch(scene.triangles + test_[i]);
+      if constexpr (tests_eight_triangles<M, Stored>) prefetch(scene.triangles + test_[i]);
     }
   }
 
@@ -181,7 +181,7 @@ public:
     const auto add_hits = [&](std::uint32_t first, std::uint64_t bits) {
       hits_[first / 64] |= bits << first % 64;
     };
-    if constexpr (tests_four_triangles<M, Stored>) {
+    if constexpr (tests_eight_triangles<M, Stored>) {
       if (test_count_ == 0) return;
       // Beyond the last: the last again.
       store_eight(test_ + test_count_, _mm256_set1_epi32(static_cast<int>(test_[test_count_ - 1])));

@@ -60,7 +60,7 @@ MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay
 #ifdef MASU_HOST_AVX2
 // Whether a scene's primitives can be tested several at a time: triangles, without any other kind.
 template <class M, class Stored>
-inline constexpr bool tests_four_triangles =
+inline constexpr bool tests_eight_triangles =
     M::kinds == with_triangles&& std::is_same_v<typename M::TestRay, WatertightRay<float>>&&
                     std::is_same_v<Stored, float>;
 #endif
@@ -92,7 +92,7 @@ struct NearestHit {
       hit = {t, number};
   }
 #ifdef MASU_HOST_AVX2
-  void met(Real t, PrimitiveIndex number) requires tests_four_triangles<M, Stored> {
+  void met(Real t, PrimitiveIndex number) requires tests_eight_triangles<M, Stored> {
     if (is_nearer(t, number, hit)) hit = {t, number};
   }
 #endif
@@ -132,7 +132,7 @@ struct AnyHit {
     if (intersect<M::kinds>(scene, ray, leaf.primitive(), leaf, t, counts) && t < t_max) hit = t;
   }
 #ifdef MASU_HOST_AVX2
-  void met(Real t, PrimitiveIndex) requires tests_four_triangles<M, Stored> {
+  void met(Real t, PrimitiveIndex) requires tests_eight_triangles<M, Stored> {
     if (t < t_max) hit = t;
   }
 #endif

@@ -111,81 +111,93 @@ private:
     farthest_ = largest_lane(all);
   }
 
+  // A node's planes along each axis as numbers of their units, in the order in which the rays meet them; the
+  // boxes that may be met, a bit each, and where the first ray enters them.
+  struct Boxes { // NOLINT(cppcoreguidelines-pro-type-member-init)
+    float unit[3];
+    Numbers8 near[3], far[3], enter;
+    unsigned met;
+  };
+
+  // As boxes_met() (hierarchy_walk_avx2.h) has it, for the bounds of all rays.
+  MASU_ALWAYS_INLINE void between_bounds(const HierarchyNode& node, Boxes& boxes) const {
+    const char* const bytes = reinterpret_cast<const char*>(&node);
+    Floats8 enter = 0, leave = farthest_;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float unit = float_of((node.exponents >> (8 * axis) & 0xff) << 23);
+      const auto met_at = [&](unsigned planes, const Bound& bound, Numbers8& numbers) {
+        numbers.set(_mm256_cvtepi32_ps(eight_bytes(bytes + planes)));
+        return masu::fma(numbers.all(), unit * bound.inverse[axis],
+                         (node.origin[axis] - bound.origin[axis]) * bound.inverse[axis]);
+      };
+      enter = max(met_at(near_[axis], entering_, boxes.near[axis]), enter);
+      leave = min(met_at(far_[axis], leaving_, boxes.far[axis]), leave);
+      boxes.unit[axis] = unit;
+    }
+    const __m256i empty = _mm256_cmpeq_epi32(eight_bytes(node.slots), _mm256_setzero_si256());
+    boxes.met = without(enter <= leave, {_mm256_castsi256_ps(empty)}).bits();
+    boxes.enter.set(enter);
+  }
+
+  // A function of a slot: which of the eight rays meet its box.
+  MASU_ALWAYS_INLINE auto meeting(const HierarchyNode& node, const Boxes& boxes, int e) const {
+    Vec3<Floats8> scale, start;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Floats8 inverse = inverse_[e][axis];
+      scale.set(axis, inverse * boxes.unit[axis]);
+      start.set(axis, (Floats8(node.origin[axis]) - rays_[e].origin.all()[axis]) * inverse);
+    }
+    return [&boxes, scale, start, farthest = t_[e] ](int slot) __attribute__((always_inline)) {
+      const auto at = [&](const Numbers8(&planes)[3], int axis) {
+        return masu::fma(Floats8(planes[axis].of[slot]), scale[axis], start[axis]);
+      };
+      const Floats8 enters = max(max(at(boxes.near, 0), at(boxes.near, 1)), max(at(boxes.near, 2), 0.0F)),
+                    leaves = min(min(at(boxes.far, 0), at(boxes.far, 1)), min(at(boxes.far, 2), farthest));
+      return (enters <= leaves).bits();
+    };
+  }
+
   // Tests what the rays meet of a node's references, and puts its nodes that they meet ahead, the nearest
   // last. Returns how many there are then.
   MASU_ALWAYS_INLINE int visit(const Ahead& own, Ahead* ahead, int height) {
     const HierarchyNode& node = hierarchy_.nodes[own.node];
-    const char* const bytes = reinterpret_cast<const char*>(&node);
-    // As boxes_met() (hierarchy_walk_avx2.h) has it.
-    float unit[3];
-    alignas(32) float near[3][boxes_per_node], far[3][boxes_per_node];
-    Floats8 enter = 0, leave = farthest_;
-    for (int axis = 0; axis < 3; ++axis) {
-      unit[axis] = float_of((node.exponents >> (8 * axis) & 0xff) << 23);
-      const Floats8 near_planes = _mm256_cvtepi32_ps(eight_bytes(bytes + near_[axis])),
-                    far_planes = _mm256_cvtepi32_ps(eight_bytes(bytes + far_[axis]));
-      near_planes.store(near[axis]);
-      far_planes.store(far[axis]);
-      const auto met_at = [&](Floats8 planes, const Bound& bound) {
-        return masu::fma(planes, unit[axis] * bound.inverse[axis],
-                         (node.origin[axis] - bound.origin[axis]) * bound.inverse[axis]);
-      };
-      enter = max(met_at(near_planes, entering_), enter);
-      leave = min(met_at(far_planes, leaving_), leave);
-    }
-    const __m256i empty = _mm256_cmpeq_epi32(eight_bytes(node.slots), _mm256_setzero_si256());
-    const unsigned met = without(enter <= leave, {_mm256_castsi256_ps(empty)}).bits(),
-                   siblings = node_slots(node);
+    Boxes boxes;
+    between_bounds(node, boxes);
+    const unsigned siblings = node_slots(node), with_references = boxes.met & ~siblings;
 
     // Of nodes the eights from the first on that meets them, of references the lanes that meet their box.
-    unsigned undecided = met & siblings, to_visit = 0, met_by[boxes_per_node];
-    const unsigned with_references = met & ~siblings;
+    unsigned undecided = boxes.met & siblings, to_visit = 0, met_by[boxes_per_node];
     std::uint8_t lanes[boxes_per_node][eights] = {};
-    for (int e = 0; e < eights; ++e) {
+    for (int e = 0; e < eights && (undecided | with_references) != 0; ++e) {
       if ((own.eights >> e & 1) == 0) continue;
-      if ((undecided | with_references) == 0) break;
-      Vec3<Floats8> scale, start;
-      for (int axis = 0; axis < 3; ++axis) {
-        const Floats8 inverse = inverse_[e][axis];
-        scale.set(axis, inverse * unit[axis]);
-        start.set(axis, (Floats8(node.origin[axis]) - rays_[e].origin.all()[axis]) * inverse);
-      }
-      const auto meeting = [&](int slot) {
-        const auto at = [&](const float(&planes)[3][boxes_per_node], int axis) {
-          return masu::fma(Floats8(planes[axis][slot]), scale[axis], start[axis]);
-        };
-        const Floats8 enters = max(max(at(near, 0), at(near, 1)), max(at(near, 2), 0.0F)),
-                      leaves = min(min(at(far, 0), at(far, 1)), min(at(far, 2), t_[e]));
-        return (enters <= leaves).bits();
-      };
+      const auto meets = meeting(node, boxes, e);
       each_bit(undecided, [&](int slot) {
-        if (meeting(slot) == 0) return;
+        if (meets(slot) == 0) return;
         undecided &= ~(1U << slot);
         to_visit |= 1U << slot;
         met_by[slot] = own.eights >> e << e;
       });
-      each_bit(with_references, [&](int slot) { lanes[slot][e] = static_cast<std::uint8_t>(meeting(slot)); });
+      each_bit(with_references, [&](int slot) { lanes[slot][e] = static_cast<std::uint8_t>(meets(slot)); });
     }
 
-    each_bit(with_references, [&](int slot) {
-      const std::uint32_t held = slot_byte(node.slots, slot);
-      const PrimitiveIndex* const first =
-          hierarchy_.references + node.first_reference + references_begin(held);
-      if constexpr (tests_four_triangles<M, Stored>) {
+    const auto each_reference = [&](const auto& act) {
+      each_bit(with_references, [&](int slot) {
+        const std::uint32_t held = slot_byte(node.slots, slot),
+                            first = node.first_reference + references_begin(held);
         for (std::uint32_t i = 0; i < references_in(held); ++i)
-          prefetch(scene_.triangles + first[i]);
-      }
-    });
+          act(hierarchy_.references[first + i], lanes[slot]);
+      });
+    };
+    if constexpr (tests_eight_triangles<M, Stored>)
+      each_reference([&](PrimitiveIndex primitive, const auto&) { prefetch(scene_.triangles + primitive); });
     if (to_visit != 0) {
-      Numbers8 entry;
-      entry.set(enter);
       // There is room, but while a mapped file changes: then results are thrown away.
       if (height > max_nodes_ahead) [[unlikely]]
         height = 0;
       const int begin = height;
       each_bit(to_visit, [&](int slot) {
         const auto before = static_cast<std::uint32_t>(std::popcount(siblings & ((1U << slot) - 1)));
-        const Ahead child{entry.of[slot], node.first_node + before, met_by[slot]};
+        const Ahead child{boxes.enter.of[slot], node.first_node + before, met_by[slot]};
         int at = height++;
         for (; at != begin && ahead[at - 1].enter < child.enter; --at)
           ahead[at] = ahead[at - 1];
@@ -193,24 +205,17 @@ private:
       });
       prefetch(hierarchy_.nodes + ahead[height - 1].node);
     }
-    if (with_references != 0) {
-      each_bit(with_references, [&](int slot) {
-        const std::uint32_t held = slot_byte(node.slots, slot);
-        const PrimitiveIndex* const first =
-            hierarchy_.references + node.first_reference + references_begin(held);
-        for (std::uint32_t i = 0; i < references_in(held); ++i) {
-          for (int e = 0; e < eights; ++e)
-            if (lanes[slot][e] != 0) test(e, lanes[slot][e], first[i]);
-        }
-      });
-      update_farthest();
-    }
+    each_reference([&](PrimitiveIndex primitive, const auto& of) {
+      for (int e = 0; e < eights; ++e)
+        if (of[e] != 0) test(e, of[e], primitive);
+    });
+    if (with_references != 0) update_farthest();
     return height;
   }
 
   MASU_ALWAYS_INLINE void test(int e, unsigned lanes, PrimitiveIndex primitive) {
     const EightRays& own = rays_[e];
-    if constexpr (tests_four_triangles<M, Stored>) {
+    if constexpr (tests_eight_triangles<M, Stored>) {
       const WatertightRay<Floats8> ray{{own.origin.all(), own.flushed.all(), own.inverse_square.all()},
                                        own.across1.all(),
                                        own.across2.all()};
