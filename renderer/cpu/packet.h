@@ -316,15 +316,13 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
   return first;
 }
 
-// Whether neighbours among a list's rays begin close to each other and go the same way, as camera rays do:
-// then they take less time as packets than in step. Rays that only ask whether anything is hit
-// must begin at one point: of shadow rays, which begin at surfaces, few meet the same boxes.
-[[gnu::noinline]] inline bool are_coherent(Query query, const void* rays, const RayFormat& format,
+// Whether neighbours among a list's rays begin close to each other, no farther apart than that share of the
+// bounds, and go the same way, as camera rays do.
+[[gnu::noinline]] inline bool are_coherent(float share, const void* rays, const RayFormat& format,
                                            std::size_t first, std::size_t end, const Box<float>& bounds) {
   constexpr std::size_t samples = 16, apart = EightRays::count - 1;
   if (end - first <= apart) return true;
-  const float near =
-      largest_magnitude(bounds.max - bounds.min) * (query == Query::occlusion ? 0x1p-12F : 0x1p-5F);
+  const float near = largest_magnitude(bounds.max - bounds.min) * share;
   std::size_t alike = 0;
   for (std::size_t sample = 0; sample < samples; ++sample) {
     const std::size_t i = first + (end - first - apart) * sample / samples;
@@ -336,12 +334,16 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
   return alike * 2 > samples;
 }
 
-// As packets, or in step.
+// As packets where rays are coherent, which then take less time, else in step. Shadow rays begin at surfaces,
+// and few of them meet the same boxes: of triangles, which in step are tested eight at a time, whichever
+// rays', only those are better off as packets that begin at one point.
 template <Query query, class M, class Stored, class Found>
 inline std::size_t trace_list(const SceneView<Stored>& scene, const HierarchyView<float>& grid,
                               const void* rays, const RayFormat& format, std::size_t first, std::size_t end,
                               const Found& found) {
-  return are_coherent(query, rays, format, first, end, scene.clip)
+  constexpr bool from_one_point = query == Query::occlusion && tests_eight_triangles<M, Stored>;
+  constexpr float share = from_one_point ? 0x1p-12F : 0x1p-5F;
+  return are_coherent(share, rays, format, first, end, scene.clip)
              ? trace_packets<query, M>(scene, grid, rays, format, first, end, found)
              : trace_in_step<query, M>(scene, grid, rays, format, first, end, found);
 }

@@ -195,9 +195,8 @@ TEST_F(RaysByEight, AreCoherentWhereNeighboursAreAlike) {
       others.push_back(unbounded_ray(Vec3f{coordinate(), coordinate(), coordinate()},
                                      Vec3f{coordinate(), coordinate(), 0.1F + coordinate()}));
     }
-    EXPECT_TRUE(are_coherent(Query::nearest_hit, alike.data(), own_format<float>, 3, alike.size(), bounds));
-    EXPECT_FALSE(
-        are_coherent(Query::nearest_hit, others.data(), own_format<float>, 3, others.size(), bounds));
+    EXPECT_TRUE(are_coherent(0x1p-5F, alike.data(), own_format<float>, 3, alike.size(), bounds));
+    EXPECT_FALSE(are_coherent(0x1p-5F, others.data(), own_format<float>, 3, others.size(), bounds));
   }
 }
 
