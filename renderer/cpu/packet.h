@@ -114,8 +114,8 @@ private:
   // A node's planes along each axis as numbers of their units, in the order in which the rays meet them; the
   // boxes that may be met, a bit each, and where the first ray enters them.
   struct Boxes { // NOLINT(cppcoreguidelines-pro-type-member-init)
-    float unit[3];
     Numbers8 near[3], far[3], enter;
+    float unit[3];
     unsigned met;
   };
 
@@ -141,12 +141,9 @@ private:
 
   // A function of a slot: which of the eight rays meet its box.
   MASU_ALWAYS_INLINE auto meeting(const HierarchyNode& node, const Boxes& boxes, int e) const {
-    Vec3<Floats8> scale, start;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Floats8 inverse = inverse_[e][axis];
-      scale.set(axis, inverse * boxes.unit[axis]);
-      start.set(axis, (Floats8(node.origin[axis]) - rays_[e].origin.all()[axis]) * inverse);
-    }
+    const auto all = [](const float(&v)[3]) { return Vec3<Floats8>{v[0], v[1], v[2]}; };
+    const Vec3<Floats8> inverse = inverse_[e], scale = inverse * all(boxes.unit),
+                        start = (all(node.origin) - rays_[e].origin.all()) * inverse;
     return [&boxes, scale, start, farthest = t_[e] ](int slot) __attribute__((always_inline)) {
       const auto at = [&](const Numbers8(&planes)[3], int axis) {
         return masu::fma(Floats8(planes[axis].of[slot]), scale[axis], start[axis]);
@@ -161,7 +158,7 @@ private:
   // last. Returns how many there are then.
   MASU_ALWAYS_INLINE int visit(const Ahead& own, Ahead* ahead, int height) {
     const HierarchyNode& node = hierarchy_.nodes[own.node];
-    Boxes boxes;
+    Boxes boxes; // NOLINT(cppcoreguidelines-pro-type-member-init)
     between_bounds(node, boxes);
     const unsigned siblings = node_slots(node), with_references = boxes.met & ~siblings;
 
@@ -221,7 +218,7 @@ private:
                                        own.across2.all()};
       const Triangle<float>& triangle = scene_.triangles[primitive];
       const auto corner = [&](const auto& c) { return Vec3<Floats8>{c.x, c.y, c.z} - ray.origin; };
-      Floats8 t;
+      Floats8 t = 0;
       const Mask8 hits = intersect(ray, corner(triangle.a), corner(triangle.b), corner(triangle.c), t);
       keep(e, hits, t, primitive);
     } else {
@@ -252,10 +249,10 @@ private:
   const SceneView<Stored>& scene_;
   const HierarchyView<float> hierarchy_;
   const EightRays (&rays_)[eights];
-  unsigned taking_part_ = 0; // a bit for each eight
   Floats8 t_[eights];
   __m256i primitive_[eights];
   Vec3<Floats8> inverse_[eights];
+  unsigned taking_part_ = 0; // a bit for each eight
   // Where in a node the planes begin that the rays meet first and last along each axis, in bytes.
   unsigned near_[3], far_[3];
   // No ray enters a box before one of the first, and none leaves it after one of the second.
