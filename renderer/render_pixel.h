@@ -72,12 +72,27 @@ struct RayTree {
       : ray{camera_ray.origin, camera_ray.direction, 1, 1} {}
 };
 
-// The light that a point of a surface sends along a ray, of which `direction` is that. occluded(ray): whether
-// a shadow ray is.
+// Where a ray hits, as shading needs it.
+template <class Real>
+struct Arrival {
+  SurfacePoint<Real> point;
+  Facing<Real> side;
+  Material material;
+};
+template <class M, class Stored>
+MASU_HD inline Arrival<typename M::Real> arrival(const SceneView<Stored>& scene,
+                                                 const NearHit<typename M::TestRay>& hit,
+                                                 const Vec3<typename M::Real>& direction) {
+  const SurfacePoint<typename M::Real> point = surface_at<M::kinds>(scene, hit);
+  return {point, facing(point, direction), scene.materials[point.material]};
+}
+
+// The light that comes from there along a ray, of which `direction` is that. occluded(ray): whether a shadow
+// ray is.
 template <class Real, class Stored, class Occluded, class Counts>
-MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Material& material,
-                                  const SurfacePoint<Real>& point, const Facing<Real>& side,
+MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Arrival<Real>& at,
                                   const Vec3<Real>& direction, const Occluded& occluded, Counts& counts) {
+  const auto& [point, side, material] = at;
   const Vec3f diffuse = material.color * material.diffuse;
   Vec3f light = diffuse * scene.ambient;
   for (std::uint32_t i = 0; i < scene.light_count; ++i) {
@@ -125,9 +140,9 @@ MASU_HD inline bool refracted(const Vec3<Real>& direction, const Vec3<Real>& nor
 
 // Adds the rays that the surface spawns.
 template <class Real, class Counts>
-MASU_HD inline void spawn(const RenderRules& rules, const Material& material, const SurfacePoint<Real>& point,
-                          const Facing<Real>& side, const PendingRay<Real>& ray, RayStack<Real>& pending,
-                          Counts& counts) {
+MASU_HD inline void spawn(const RenderRules& rules, const Arrival<Real>& at, const PendingRay<Real>& ray,
+                          RayStack<Real>& pending, Counts& counts) {
+  const auto& [point, side, material] = at;
   if (ray.depth >= rules.depth) return;
   const float reflected_weight = ray.weight * material.specular,
               refracted_weight = ray.weight * material.transmittance;
@@ -145,13 +160,15 @@ MASU_HD inline void spawn(const RenderRules& rules, const Material& material, co
   }
 }
 
-// Takes what the tree's ray hit: the light that comes from there, and what is spawned. Nothing is shaded for
-// a depth of 0. Sets `first_hit` where it is the camera's ray. False at the end of the tree. M: a Method.
-template <class M, class Stored, class Occluded, class Counts>
+// Takes what the tree's ray hit, which arrive() says more of where it is asked: the light that comes from
+// there, and what is spawned. Nothing is shaded for a depth of 0. Sets `first_hit` where it is the camera's
+// ray. False at the end of the tree.
+template <class TestRay, class Stored, class Arrive, class Occluded, class Counts>
 MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& rules,
-                           const NearHit<typename M::TestRay>& hit, RayTree<typename M::Real>& tree,
-                           HitRecord& first_hit, const Occluded& occluded, Counts& counts) {
-  using Real = typename M::Real;
+                           const NearHit<TestRay>& hit, RayTree<typename TestRay::Real>& tree,
+                           HitRecord& first_hit, const Arrive& arrive, const Occluded& occluded,
+                           Counts& counts) {
+  using Real = typename TestRay::Real;
   const PendingRay<Real>& ray = tree.ray;
   const bool met = hit.hit.primitive != no_primitive;
   if (ray.depth == 1) {
@@ -162,12 +179,9 @@ MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& ru
     counts.secondary_ray(met);
   }
   if (met) {
-    const SurfacePoint<Real> point = surface_at<M::kinds>(scene, hit);
-    const Material material = scene.materials[point.material];
-    const Facing<Real> side = facing(point, ray.direction);
-    tree.light =
-        tree.light + direct_light(scene, material, point, side, ray.direction, occluded, counts) * ray.weight;
-    spawn(rules, material, point, side, ray, tree.pending, counts);
+    const Arrival<Real>& at = arrive();
+    tree.light = tree.light + direct_light(scene, at, ray.direction, occluded, counts) * ray.weight;
+    spawn(rules, at, ray, tree.pending, counts);
   } else {
     tree.light = tree.light + scene.background * ray.weight;
   }
@@ -176,7 +190,7 @@ MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& ru
   return true;
 }
 
-// The light that comes back along a camera ray, and what it hit.
+// The light that comes back along a camera ray, and what it hit. M: a Method.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, const RenderRules& rules,
                               const Ray<typename M::Real>& first, HitRecord& first_hit, Counts& counts) {
@@ -186,7 +200,8 @@ MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, 
     const auto hit =
         nearest_hit_near<M>(scene, grid, unbounded_ray(tree.ray.origin, tree.ray.direction), counts);
     const auto occluded = [&](const Ray<Real>& ray) { return is_occluded<M>(scene, grid, ray, counts); };
-    if (!follow<M>(scene, rules, hit, tree, first_hit, occluded, counts)) return tree.light;
+    const auto arrive = [&] { return arrival<M>(scene, hit, tree.ray.direction); };
+    if (!follow(scene, rules, hit, tree, first_hit, arrive, occluded, counts)) return tree.light;
   }
 }
 

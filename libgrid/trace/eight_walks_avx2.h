@@ -111,10 +111,11 @@ public:
     end(lane);
   }
 
-  // The nearest hit; of occlusion one that is nearer than t_max. For none no_primitive.
+  // The nearest hit; of occlusion one that is nearer than t_max.
   MASU_ALWAYS_INLINE Hit<float> hit(int lane) const {
     const float t = t_.of[lane];
-    return {t, t < t_max_[lane] ? primitive_[lane] : no_primitive};
+    return t < t_max_[lane] ? Hit<float>{t, primitive_[lane]}
+                            : Hit<float>{static_cast<float>(INFINITY), no_primitive};
   }
 
   template <class Stored>
@@ -196,7 +197,7 @@ public:
             {vectors(origin_), vectors(direction_), permuted(inverse_square_.all(), of)},
             vectors(across1_),
             vectors(across2_)};
-        Floats8 t;
+        Floats8 t = 0;
         const Mask8 hits = intersect(rays, scene.triangles, test_ + first, t);
         t.store(test_t_ + first);
         add_hits(first, _bzhi_u32(hits.bits(), test_count_ - first));
@@ -285,8 +286,6 @@ private:
     t_.of[lane] = t;
   }
 
-  const HierarchyView<float> hierarchy_;
-
   // Of each lane: its ray, and the nearest hit so far, at t_max where there is none.
   Vectors8 origin_, direction_, across1_, across2_;
   Numbers8 inverse_square_, t_;
@@ -306,11 +305,13 @@ private:
   std::uint32_t met_[lanes];
 
   // Primitives to be tested, each one's lane, and where it is hit, a bit for each hit.
-  std::uint32_t test_count_ = 0;
+  alignas(32) float test_t_[most_tests + 8];
   PrimitiveIndex test_[most_tests + 8];
   int test_lane_[most_tests + 8];
-  alignas(32) float test_t_[most_tests + 8];
   std::uint64_t hits_[most_tests / 64];
+  std::uint32_t test_count_ = 0;
+
+  const HierarchyView<float> hierarchy_;
 };
 
 } // namespace masu

@@ -382,8 +382,7 @@ MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay
                           Visitor& visitor) {
 #ifdef MASU_HOST_AVX2
   if constexpr (sizeof(Real) == sizeof(float) && !std::decay_t<decltype(visitor.counts)>::is_counted) {
-    NodesAhead ahead;
-    NearestFirstWalk walk(visitor.ray.origin, bounded_inverse(near), ahead);
+    NearestFirstWalk walk(visitor.ray.origin, bounded_inverse(near));
     while (walk.advance(hierarchy, visitor)) {
     }
     return;

@@ -50,30 +50,43 @@ MASU_ALWAYS_INLINE __m256i eight_bytes(const void* at) {
   return _mm256_cvtepu8_epi32(_mm_loadl_epi64(static_cast<const __m128i*>(at)));
 }
 
-MASU_ALWAYS_INLINE BoxesMet boxes_met(const HierarchyNode& node, const BoxRay& ray, float farthest) {
+// A node's planes along each axis as numbers of their units, in the order in which a ray meets them.
+struct NodePlanes {
+  Vec3<Floats8> near, far;
+};
+MASU_ALWAYS_INLINE NodePlanes planes_of(const HierarchyNode& node, const BoxRay& ray) {
+  const char* const bytes = reinterpret_cast<const char*>(&node);
+  const auto numbers = [&](unsigned planes) __attribute__((always_inline)) {
+    return Floats8(_mm256_cvtepi32_ps(eight_bytes(bytes + planes)));
+  };
+  return {{numbers(ray.near_x), numbers(ray.near_y), numbers(ray.near_z)},
+          {numbers(ray.far_x), numbers(ray.far_y), numbers(ray.far_z)}};
+}
+
+// Of a node's boxes those that are entered by one ray, as far as `farthest`, before they are left by another
+// that runs the same way along each axis, or the same one.
+MASU_ALWAYS_INLINE BoxesMet boxes_met(const HierarchyNode& node, const NodePlanes& planes,
+                                      const BoxRay& entering, const BoxRay& leaving, float farthest) {
   const __m128 origin = _mm_blend_ps(_mm_load_ps(node.origin), _mm_setzero_ps(), 8);
   const __m128i exponents = _mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(node.exponents)));
+  const __m128 units = _mm_castsi128_ps(_mm_slli_epi32(exponents, 23));
   // Plane q is met at q · scale + start: with a smaller error than as NodeAxis has it.
-  const __m256 scale = _mm256_castps128_ps256(
-                   _mm_mul_ps(_mm_castsi128_ps(_mm_slli_epi32(exponents, 23)), ray.inverse)),
-               start = _mm256_castps128_ps256(_mm_mul_ps(_mm_sub_ps(origin, ray.origin), ray.inverse));
-  const auto of_axis = [](__m256 axes, int axis) {
-    return _mm256_permutevar8x32_ps(axes, _mm256_set1_epi32(axis));
+  const auto met_at = [&](const BoxRay& ray, const Vec3<Floats8>& q) __attribute__((always_inline)) {
+    const Floats8 scale = _mm256_castps128_ps256(_mm_mul_ps(units, ray.inverse)),
+                  start = _mm256_castps128_ps256(_mm_mul_ps(_mm_sub_ps(origin, ray.origin), ray.inverse));
+    const __m256i x = _mm256_set1_epi32(0), y = _mm256_set1_epi32(1), z = _mm256_set1_epi32(2);
+    return Vec3<Floats8>{fma(q.x, permuted(scale, x), permuted(start, x)),
+                         fma(q.y, permuted(scale, y), permuted(start, y)),
+                         fma(q.z, permuted(scale, z), permuted(start, z))};
   };
-  const __m256 scale_x = of_axis(scale, 0), scale_y = of_axis(scale, 1), scale_z = of_axis(scale, 2),
-               start_x = of_axis(start, 0), start_y = of_axis(start, 1), start_z = of_axis(start, 2);
-  const char* const bytes = reinterpret_cast<const char*>(&node);
-  const auto t = [&](unsigned planes, __m256 scaled, __m256 started) {
-    return _mm256_fmadd_ps(_mm256_cvtepi32_ps(eight_bytes(bytes + planes)), scaled, started);
-  };
-  const __m256 enter = _mm256_max_ps(
-                   _mm256_max_ps(t(ray.near_x, scale_x, start_x), t(ray.near_y, scale_y, start_y)),
-                   _mm256_max_ps(t(ray.near_z, scale_z, start_z), _mm256_setzero_ps())),
-               leave = _mm256_min_ps(
-                   _mm256_min_ps(t(ray.far_x, scale_x, start_x), t(ray.far_y, scale_y, start_y)),
-                   _mm256_min_ps(t(ray.far_z, scale_z, start_z), _mm256_set1_ps(farthest)));
-  const __m256 met = _mm256_cmp_ps(enter, leave, _CMP_LE_OQ);
-  return {met, enter, static_cast<std::uint32_t>(_mm256_movemask_ps(met))};
+  const Vec3<Floats8> near = met_at(entering, planes.near), far = met_at(leaving, planes.far);
+  const Floats8 enter = max(max(near.x, near.y), max(near.z, Floats8(0.0F))),
+                leave = min(min(far.x, far.y), min(far.z, Floats8(farthest)));
+  const Mask8 met = enter <= leave;
+  return {met.v, enter.v, met.bits()};
+}
+MASU_ALWAYS_INLINE BoxesMet boxes_met(const HierarchyNode& node, const BoxRay& ray, float farthest) {
+  return boxes_met(node, planes_of(node, ray), ray, ray, farthest);
 }
 
 // What of a node is in boxes that the ray meets: bit 24 + slot for a node, and bit i for its reference i. A
@@ -131,12 +144,12 @@ MASU_ALWAYS_INLINE void meet_triangles(const Triangle<float>* triangles, const W
       eight[i] = bits != 0 ? references[std::countr_zero(bits)] : eight[i - 1];
       bits &= bits - 1;
     }
-    Floats8 each;
+    Floats8 each = 0;
     const unsigned hits = intersect(rays, triangles, eight, each).bits();
     if (hits == 0) continue;
-    Numbers8 t;
-    t.set(each);
-    each_bit(hits, [&](int i) { found(eight[i], t.of[i]); });
+    alignas(32) float t[8];
+    each.store(t);
+    each_bit(hits, [&](int i) { found(eight[i], t[i]); });
   }
 }
 
@@ -165,18 +178,16 @@ MASU_ALWAYS_INLINE void prefetch_references(const Visitor& visitor, const Primit
   }
 }
 
-// Room for what a walk has ahead.
+// The most that a walk has ahead.
 inline constexpr int max_nodes_ahead = (boxes_per_node - 1) * max_hierarchy_depth;
-using NodesAhead = NodeAhead[max_nodes_ahead];
 
 // A walk under way. The tests of a node's references come with the next step, and what either needs is
 // prefetched.
 class NearestFirstWalk {
 public:
   // A ray's origin, and its direction's inverse, bounded.
-  MASU_ALWAYS_INLINE NearestFirstWalk(const Vec3<float>& origin, const Vec3<float>& inverse,
-                                      NodesAhead& ahead)
-      : ray_(origin, inverse), begin_(ahead), end_(ahead) {}
+  MASU_ALWAYS_INLINE NearestFirstWalk(const Vec3<float>& origin, const Vec3<float>& inverse)
+      : ray_(origin, inverse) {}
 
   // Tests the references that were met last, and visits the next node; false at the end. The visitor is
   // always the same.
@@ -189,7 +200,7 @@ public:
     }
     const float farthest = visitor.farthest();
     while (!(enters_at(next_) <= farthest)) {
-      if (end_ == begin_) return false;
+      if (end_ == ahead_) return false;
       next_ = *--end_;
     }
     const HierarchyNode& node = hierarchy.nodes[static_cast<std::uint32_t>(next_)];
@@ -202,7 +213,7 @@ public:
     }
     if (nodes != 0) {
       next_ = nearest_of(node, nodes, met.enter);
-    } else if (end_ != begin_) {
+    } else if (end_ != ahead_) {
       next_ = *--end_;
     } else {
       next_ = nothing_ahead;
@@ -229,8 +240,8 @@ private:
     };
     NodeAhead nearest = take();
     // There is room, but while a mapped file changes: then results are thrown away.
-    if (end_ - begin_ > max_nodes_ahead - (boxes_per_node - 1)) [[unlikely]]
-      end_ = begin_;
+    if (end_ - ahead_ > max_nodes_ahead - (boxes_per_node - 1)) [[unlikely]]
+      end_ = ahead_;
     NodeAhead* const begin = end_;
     while (slots != 0) {
       const NodeAhead other = take(), farther = std::max(nearest, other);
@@ -246,8 +257,9 @@ private:
   BoxRay ray_;
   NodeAhead next_ = 0; // the root
   const PrimitiveIndex* references_ = nullptr;
-  std::uint32_t met_ = 0;   // of the references, a bit each
-  NodeAhead *begin_, *end_; // of the nodes ahead: the nearest of a node's last
+  std::uint32_t met_ = 0;            // of the references, a bit each
+  NodeAhead ahead_[max_nodes_ahead]; // the nearest of a node's last
+  NodeAhead* end_ = ahead_;
 };
 
 } // namespace masu

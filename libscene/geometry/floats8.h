@@ -46,6 +46,12 @@ MASU_ALWAYS_INLINE Mask8 operator<=(Floats8 a, Floats8 b) {
 MASU_ALWAYS_INLINE Mask8 operator==(Floats8 a, Floats8 b) {
   return {_mm256_cmp_ps(a.v, b.v, _CMP_EQ_OQ)};
 }
+// All bits of the lanes whose bit is set.
+MASU_ALWAYS_INLINE Mask8 lanes_of(unsigned bits) {
+  const __m256i each = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128),
+                set = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), each);
+  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(set, each))};
+}
 MASU_ALWAYS_INLINE Floats8 select(Mask8 where, Floats8 a, Floats8 b) {
   return _mm256_blendv_ps(b.v, a.v, where.v);
 }

@@ -19,10 +19,8 @@ struct ListedHit {
   float skipped, scale;
 };
 inline constexpr ListedHit no_listed_hit{no_hit, 0, 1};
-// As trace_listed() has it.
 inline Hit<float> reported(const ListedHit& hit) {
-  if (hit.near.primitive == no_primitive) return no_hit;
-  return {(hit.near.t + hit.skipped) * hit.scale, hit.near.primitive};
+  return reported(hit.near, static_cast<float>(INFINITY), hit.skipped, hit.scale);
 }
 
 // Not initialised: it is made for every eight rays.
@@ -126,33 +124,40 @@ private:
   }
 };
 
-// Calls found(i, hit) for each of the rays, with what trace_listed() has it hit: they walk through a grid one
-// after the other.
+// Traces the rays of a list from `first` on, as many times eight as there are before `end`, one after the
+// other. Calls found(i, ListedHit) for each, in any order, and returns the first that is left.
 template <Query query, class M, class Stored, class Grid, class Found>
-inline void trace_eight(const SceneView<Stored>& scene, const Grid& grid, const EightRays& rays,
-                        const Found& found) {
-  for (std::size_t i = 0; i < EightRays::count; ++i) {
-    Hit<float> hit = no_hit;
-    if ((rays.meet_bounds >> i & 1) != 0) {
-      const WatertightRay<float> ray = rays.test_ray(i);
-      const float t_max = rays.t_max.of[i];
-      NoCounts counts;
-      if constexpr (query == Query::occlusion) {
-        AnyHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, t_max};
-        visit(grid, rays.clipped(i), scene.primitive_count(), visitor);
-        if (visitor.found()) hit = {0, 0};
-      } else {
-        NearestHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, {t_max, 0}};
-        visit(grid, rays.clipped(i), scene.primitive_count(), visitor);
-        hit = reported(visitor.hit, t_max, rays.skipped.of[i], rays.scale.of[i]);
+inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Grid& grid, const void* rays,
+                                 const RayFormat& format, std::size_t first, std::size_t end,
+                                 const Found& found) {
+  EightRays eight;
+  for (; first + EightRays::count <= end; first += EightRays::count) {
+    eight.load(rays, format, first);
+    eight.prepare(scene.clip);
+    for (std::size_t i = 0; i < EightRays::count; ++i) {
+      ListedHit hit = no_listed_hit;
+      if ((eight.meet_bounds >> i & 1) != 0) {
+        const WatertightRay<float> ray = eight.test_ray(i);
+        const float t_max = eight.t_max.of[i];
+        hit = {no_hit, eight.skipped.of[i], eight.scale.of[i]};
+        NoCounts counts;
+        if constexpr (query == Query::occlusion) {
+          AnyHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, t_max};
+          visit(grid, eight.clipped(i), scene.primitive_count(), visitor);
+          if (visitor.found()) hit.near = {visitor.hit, 0};
+        } else {
+          NearestHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, {t_max, 0}};
+          visit(grid, eight.clipped(i), scene.primitive_count(), visitor);
+          if (visitor.hit.t < t_max) hit.near = visitor.hit;
+        }
       }
+      found(first + i, hit);
     }
-    found(i, hit);
   }
+  return first;
 }
 
-// Traces the rays of a list from `first` on, eight in step: as many times eight as there are before `end`.
-// Calls found(i, ListedHit) for each, in any order, and returns the first that is left.
+// The same, eight in step.
 template <Query query, class M, class Stored, class Found>
 [[gnu::noinline]] inline std::size_t
 trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const void* rays,

@@ -15,13 +15,6 @@
 
 namespace masu {
 
-// All bits of the lanes whose bit is set.
-MASU_ALWAYS_INLINE Mask8 lanes_of(unsigned bits) {
-  const __m256i each = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128),
-                set = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), each);
-  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(set, each))};
-}
-
 // Rays of a packet that run the same way along each axis, on their way through a hierarchy. M: a Method in
 // float32 arithmetic.
 template <Query query, class M, class Stored>
@@ -29,39 +22,20 @@ class PacketWalk {
 public:
   static constexpr int eights = 4; // a tile of 8 by 4 pixels
 
-  // `lanes`: of each eight a bit for each ray that takes part, of which there is one at least. Their
-  // directions' signs are the same.
-  MASU_ALWAYS_INLINE PacketWalk( // NOLINT(cppcoreguidelines-pro-type-member-init)
+  // `lanes`: of each eight a bit for each ray that takes part, of which there is one at least; `way`: signs
+  // of all their directions. Of eights of which no ray takes part nothing is read.
+  MASU_ALWAYS_INLINE PacketWalk( // NOLINT(cppcoreguidelines-pro-type-member-init): the body does it
       const SceneView<Stored>& scene, const HierarchyView<float>& hierarchy, const EightRays (&rays)[eights],
-      const unsigned (&lanes)[eights])
-      : scene_(scene), hierarchy_(hierarchy), rays_(rays) {
-    constexpr auto infinite = static_cast<float>(INFINITY);
+      const unsigned (&lanes)[eights], const Vec3<float>& way)
+      : scene_(scene), hierarchy_(hierarchy), rays_(rays), entering_(bound(rays, lanes, way, true)),
+        leaving_(bound(rays, lanes, way, false)) {
     for (int e = 0; e < eights; ++e) {
+      t_[e] = -1.0F; // meets no box
       if (lanes[e] == 0) continue;
       taking_part_ |= 1U << e;
-      t_[e] = select(lanes_of(lanes[e]), rays[e].t_max.all(), -1.0F); // the others meet no box
-      primitive_[e] = _mm256_setzero_si256();                         // wins no tie at t_max
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      Floats8 first = infinite, last = -infinite, least = infinite, most = -infinite;
-      for_each_eight(taking_part_, [&](int e) {
-        const Mask8 own = lanes_of(lanes[e]);
-        const Floats8 origin = rays[e].origin.all()[axis],
-                      inverse = min(max(rays[e].inverse.all()[axis], -0x1p64F), 0x1p64F);
-        inverse_[e].set(axis, inverse);
-        first = min(first, select(own, origin, infinite));
-        last = max(last, select(own, origin, -infinite));
-        least = min(least, select(own, inverse, infinite));
-        most = max(most, select(own, inverse, -infinite));
-      });
-      constexpr unsigned low = offsetof(HierarchyNode, low), high = offsetof(HierarchyNode, high);
-      const bool down = least_lane(least) < 0;
-      near_[axis] = (down ? high : low) + 8 * static_cast<unsigned>(axis);
-      far_[axis] = (down ? low : high) + 8 * static_cast<unsigned>(axis);
-      entering_.set(axis, down ? least_lane(first) : largest_lane(last),
-                    down ? largest_lane(most) : least_lane(least));
-      leaving_.set(axis, down ? largest_lane(last) : least_lane(first),
-                   down ? least_lane(least) : largest_lane(most));
+      inverse_[e] = inverse(rays[e]);
+      t_[e] = select(lanes_of(lanes[e]), rays[e].t_max.all(), t_[e]);
+      primitive_[e] = _mm256_setzero_si256(); // wins no tie at t_max
     }
     update_farthest();
   }
@@ -78,9 +52,15 @@ public:
     }
   }
 
-  // Where each ray of the eights has its nearest hit; -1 of occlusion where there is one.
-  Floats8 t(int e) const { return t_[e]; }
-  __m256i primitive(int e) const { return primitive_[e]; }
+  // The nearest hit of a ray that takes part; of occlusion one that is nearer than t_max.
+  Hit<float> hit(int e, std::size_t lane) const {
+    alignas(32) float t[EightRays::count];
+    t_[e].store(t);
+    PrimitiveIndex primitives[EightRays::count];
+    store_eight(primitives, primitive_[e]);
+    const bool hits = t[lane] < (query == Query::occlusion ? 0.0F : rays_[e].t_max.of[lane]);
+    return hits ? Hit<float>{t[lane], primitives[lane]} : no_hit;
+  }
 
 private:
   // A node to visit, and where the first ray enters it: before that, or there.
@@ -90,67 +70,71 @@ private:
     unsigned eights; // a bit for each whose rays may meet it
   };
 
-  // Along each axis.
-  struct Bound {
-    float origin[3], inverse[3];
-    void set(int axis, float from, float speed) {
-      origin[axis] = from;
-      inverse[axis] = speed;
-    }
-  };
+  static Vec3<Floats8> inverse(const EightRays& rays) { // bounded_inverse()
+    const Floats8 limit = 0x1p64F;
+    const auto bounded = [&](Floats8 v) { return min(max(v, -limit), limit); };
+    const Vec3<Floats8> v = rays.inverse.all();
+    return {bounded(v.x), bounded(v.y), bounded(v.z)};
+  }
 
-  template <class Act>
-  MASU_ALWAYS_INLINE static void for_each_eight(unsigned bits, const Act& act) {
-    for (int e = 0; e < eights; ++e)
-      if ((bits >> e & 1) != 0) act(e);
+  // A ray that enters no box after one of the packet's does, or one that leaves none before. That is so of
+  // products that are positive; negative ones are before all rays begin.
+  static BoxRay bound(const EightRays (&rays)[eights], const unsigned (&lanes)[eights],
+                      const Vec3<float>& way, bool enters) {
+    constexpr float largest = RealTraits<float>::largest;
+    Vec3<float> origin{}, speed{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool last = enters != (way[axis] < 0); // the last origin and the least inverse, or the contrary
+      Floats8 from = last ? -largest : largest, inverted = -from;
+      for (int e = 0; e < eights; ++e) {
+        if (lanes[e] == 0) continue;
+        const Mask8 own = lanes_of(lanes[e]);
+        const Floats8 own_from = select(own, rays[e].origin.all()[axis], from),
+                      own_inverse = select(own, inverse(rays[e])[axis], inverted);
+        from = last ? max(from, own_from) : min(from, own_from);
+        inverted = last ? min(inverted, own_inverse) : max(inverted, own_inverse);
+      }
+      origin.set(axis, last ? largest_lane(from) : least_lane(from));
+      speed.set(axis, last ? least_lane(inverted) : largest_lane(inverted));
+    }
+    return BoxRay(origin, speed);
   }
 
   MASU_ALWAYS_INLINE void update_farthest() {
-    Floats8 all = -1.0F;
-    for_each_eight(taking_part_, [&](int e) { all = max(all, t_[e]); });
+    Floats8 all = t_[0];
+    for (const Floats8 t : t_)
+      all = max(all, t);
     farthest_ = largest_lane(all);
   }
 
-  // A node's planes along each axis as numbers of their units, in the order in which the rays meet them; the
-  // boxes that may be met, a bit each, and where the first ray enters them.
-  struct Boxes { // NOLINT(cppcoreguidelines-pro-type-member-init)
-    Numbers8 near[3], far[3], enter;
-    float unit[3];
-    unsigned met;
+  // The same one by one.
+  struct Planes {
+    alignas(32) float near[3][boxes_per_node], far[3][boxes_per_node];
+    MASU_ALWAYS_INLINE explicit Planes(const NodePlanes& planes) {
+      for (int axis = 0; axis < 3; ++axis) {
+        planes.near[axis].store(near[axis]);
+        planes.far[axis].store(far[axis]);
+      }
+    }
   };
 
-  // As boxes_met() (hierarchy_walk_avx2.h) has it, for the bounds of all rays.
-  MASU_ALWAYS_INLINE void between_bounds(const HierarchyNode& node, Boxes& boxes) const {
-    const char* const bytes = reinterpret_cast<const char*>(&node);
-    Floats8 enter = 0, leave = farthest_;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float unit = float_of((node.exponents >> (8 * axis) & 0xff) << 23);
-      const auto met_at = [&](unsigned planes, const Bound& bound, Numbers8& numbers) {
-        numbers.set(_mm256_cvtepi32_ps(eight_bytes(bytes + planes)));
-        return masu::fma(numbers.all(), unit * bound.inverse[axis],
-                         (node.origin[axis] - bound.origin[axis]) * bound.inverse[axis]);
+  // A function of a slot: which of the eight rays meet its box. As boxes_met() (hierarchy_walk_avx2.h) has
+  // it of one ray and eight boxes.
+  MASU_ALWAYS_INLINE auto meeting(const HierarchyNode& node, const Planes& planes, int e) const {
+    const auto unit = [&](int axis) -> Floats8 {
+      return float_of((node.exponents >> (8 * axis) & 0xff) << 23);
+    };
+    const Vec3<Floats8> scale = inverse_[e] * Vec3<Floats8>{unit(0), unit(1), unit(2)},
+                        start = (Vec3<Floats8>{node.origin[0], node.origin[1], node.origin[2]} -
+                                 rays_[e].origin.all()) *
+                                inverse_[e];
+    return [&planes, scale, start, farthest = t_[e] ](int slot) __attribute__((always_inline)) {
+      const auto at = [&](const float(&of_slots)[3][boxes_per_node], int axis) {
+        return masu::fma(Floats8(of_slots[axis][slot]), scale[axis], start[axis]);
       };
-      enter = max(met_at(near_[axis], entering_, boxes.near[axis]), enter);
-      leave = min(met_at(far_[axis], leaving_, boxes.far[axis]), leave);
-      boxes.unit[axis] = unit;
-    }
-    const __m256i empty = _mm256_cmpeq_epi32(eight_bytes(node.slots), _mm256_setzero_si256());
-    boxes.met = without(enter <= leave, {_mm256_castsi256_ps(empty)}).bits();
-    boxes.enter.set(enter);
-  }
-
-  // A function of a slot: which of the eight rays meet its box.
-  MASU_ALWAYS_INLINE auto meeting(const HierarchyNode& node, const Boxes& boxes, int e) const {
-    const auto all = [](const float(&v)[3]) { return Vec3<Floats8>{v[0], v[1], v[2]}; };
-    const Vec3<Floats8> inverse = inverse_[e], scale = inverse * all(boxes.unit),
-                        start = (all(node.origin) - rays_[e].origin.all()) * inverse;
-    return [&boxes, scale, start, farthest = t_[e] ](int slot) __attribute__((always_inline)) {
-      const auto at = [&](const Numbers8(&planes)[3], int axis) {
-        return masu::fma(Floats8(planes[axis].of[slot]), scale[axis], start[axis]);
-      };
-      const Floats8 enters = max(max(at(boxes.near, 0), at(boxes.near, 1)), max(at(boxes.near, 2), 0.0F)),
-                    leaves = min(min(at(boxes.far, 0), at(boxes.far, 1)), min(at(boxes.far, 2), farthest));
-      return (enters <= leaves).bits();
+      const Floats8 enter = max(max(at(planes.near, 0), at(planes.near, 1)), max(at(planes.near, 2), 0.0F)),
+                    leave = min(min(at(planes.far, 0), at(planes.far, 1)), min(at(planes.far, 2), farthest));
+      return (enter <= leave).bits();
     };
   }
 
@@ -158,16 +142,17 @@ private:
   // last. Returns how many there are then.
   MASU_ALWAYS_INLINE int visit(const Ahead& own, Ahead* ahead, int height) {
     const HierarchyNode& node = hierarchy_.nodes[own.node];
-    Boxes boxes; // NOLINT(cppcoreguidelines-pro-type-member-init)
-    between_bounds(node, boxes);
-    const unsigned siblings = node_slots(node), with_references = boxes.met & ~siblings;
+    const NodePlanes numbers = planes_of(node, entering_);
+    const BoxesMet boxes = boxes_met(node, numbers, entering_, leaving_, farthest_);
+    const Planes planes(numbers);
+    const unsigned siblings = node_slots(node), with_references = boxes.slots & ~siblings;
 
     // Of nodes the eights from the first on that meets them, of references the lanes that meet their box.
-    unsigned undecided = boxes.met & siblings, to_visit = 0, met_by[boxes_per_node];
+    unsigned undecided = boxes.slots & siblings, to_visit = 0, met_by[boxes_per_node];
     std::uint8_t lanes[boxes_per_node][eights] = {};
     for (int e = 0; e < eights && (undecided | with_references) != 0; ++e) {
       if ((own.eights >> e & 1) == 0) continue;
-      const auto meets = meeting(node, boxes, e);
+      const auto meets = meeting(node, planes, e);
       each_bit(undecided, [&](int slot) {
         if (meets(slot) == 0) return;
         undecided &= ~(1U << slot);
@@ -192,9 +177,11 @@ private:
       if (height > max_nodes_ahead) [[unlikely]]
         height = 0;
       const int begin = height;
+      alignas(32) float enter[boxes_per_node];
+      _mm256_store_ps(enter, boxes.enter);
       each_bit(to_visit, [&](int slot) {
         const auto before = static_cast<std::uint32_t>(std::popcount(siblings & ((1U << slot) - 1)));
-        const Ahead child{boxes.enter.of[slot], node.first_node + before, met_by[slot]};
+        const Ahead child{enter[slot], node.first_node + before, met_by[slot]};
         int at = height++;
         for (; at != begin && ahead[at - 1].enter < child.enter; --at)
           ahead[at] = ahead[at - 1];
@@ -223,14 +210,13 @@ private:
       keep(e, hits, t, primitive);
     } else {
       NoTestCounts counts;
-      Numbers8 t;
-      t.set(0);
+      alignas(32) float t[EightRays::count] = {};
       unsigned hits = 0;
       each_bit(lanes, [&](int lane) {
         const WatertightRay<float> ray = own.test_ray(static_cast<std::size_t>(lane));
-        if (intersect<M::kinds>(scene_, ray, primitive, t.of[lane], counts)) hits |= 1U << lane;
+        if (intersect<M::kinds>(scene_, ray, primitive, t[lane], counts)) hits |= 1U << lane;
       });
-      keep(e, lanes_of(hits), t.all(), primitive);
+      keep(e, lanes_of(hits), Floats8::load(t), primitive);
     }
   }
 
@@ -249,19 +235,15 @@ private:
   const SceneView<Stored>& scene_;
   const HierarchyView<float> hierarchy_;
   const EightRays (&rays_)[eights];
+  const BoxRay entering_, leaving_; // bound()
   Floats8 t_[eights];
   __m256i primitive_[eights];
   Vec3<Floats8> inverse_[eights];
   unsigned taking_part_ = 0; // a bit for each eight
-  // Where in a node the planes begin that the rays meet first and last along each axis, in bytes.
-  unsigned near_[3], far_[3];
-  // No ray enters a box before one of the first, and none leaves it after one of the second.
-  Bound entering_, leaving_;
-  float farthest_; // of the nearest hits
+  float farthest_;           // of the nearest hits
 };
 
-// Traces the rays of a list from `first` on, as many times eight as there are before `end`. Calls found(i,
-// ListedHit) for each, in any order, and returns the first that is left.
+// As trace_in_step() (eight_rays.h), by packets.
 template <Query query, class M, class Stored, class Found>
 [[gnu::noinline]] inline std::size_t
 trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const void* rays,
@@ -289,21 +271,13 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
           alike[other] = left[other] & ~(smallest(packet[other].inverse.all() * all_of(way)) < 0.0F).bits();
           left[other] ^= alike[other];
         }
-        Walk walk(scene, grid, packet, alike);
+        Walk walk(scene, grid, packet, alike, way);
         walk.walk();
         for (int of = 0; of < Walk::eights; ++of) {
-          if (alike[of] == 0) continue;
-          const EightRays& own = packet[of];
-          Numbers8 t;
-          t.set(walk.t(of));
-          PrimitiveIndex primitives[EightRays::count];
-          store_eight(primitives, walk.primitive(of));
           each_bit(alike[of], [&](int lane) {
             const auto i = static_cast<std::size_t>(lane);
-            const bool hits = query == Query::occlusion ? t.of[i] < 0 : t.of[i] < own.t_max.of[i];
             found(first + EightRays::count * static_cast<std::size_t>(of) + i,
-                  ListedHit{
-                      {t.of[i], hits ? primitives[i] : no_primitive}, own.skipped.of[i], own.scale.of[i]});
+                  ListedHit{walk.hit(of, i), packet[of].skipped.of[i], packet[of].scale.of[i]});
           });
         }
       }

@@ -34,7 +34,8 @@ public:
       const auto occluded = [&](const Ray<float>&) { return dark_[shadow_ray++] != 0; };
       for (const std::size_t i : going) {
         Pixel& pixel = pixels_[i];
-        if (follow<M>(scene_, rules_, pixel.hit, pixel.tree, pixel.first_hit, occluded, counts))
+        const auto arrive = [&]() -> const Arrival<float>& { return pixel.at; };
+        if (follow(scene_, rules_, pixel.hit, pixel.tree, pixel.first_hit, arrive, occluded, counts))
           going[left++] = i;
       }
       going.resize(left);
@@ -49,6 +50,7 @@ private:
   struct Pixel {
     RayTree<float> tree;
     NearHit<WatertightRay<float>> hit{}; // of the tree's ray
+    Arrival<float> at{};                 // where it hits anything
     HitRecord first_hit{};
 
     explicit Pixel(const Ray<float>& camera_ray) : tree(camera_ray) {}
@@ -82,12 +84,11 @@ private:
       return true;
     };
     for (const std::size_t i : going) {
-      const Pixel& pixel = pixels_[i];
+      Pixel& pixel = pixels_[i];
       if (pixel.hit.hit.primitive == no_primitive) continue;
-      const SurfacePoint<float> point = surface_at<M::kinds>(scene_, pixel.hit);
       const Vec3f& direction = pixel.tree.ray.direction;
-      direct_light(scene_, scene_.materials[point.material], point, facing(point, direction), direction, add,
-                   counts);
+      pixel.at = arrival<M>(scene_, pixel.hit, direction);
+      direct_light(scene_, pixel.at, direction, add, counts);
     }
     dark_.assign(rays_.size(), 0);
     trace<Query::occlusion>(

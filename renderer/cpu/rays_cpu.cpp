@@ -20,25 +20,16 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
 #ifdef MASU_HOST_AVX2
   if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted &&
                 !is_any_structure<Grid>) {
-    const auto write = [&](std::size_t i, const Hit<float>& hit) __attribute__((always_inline)) {
+    const auto found = [&](std::size_t i, const ListedHit& listed) __attribute__((always_inline)) {
+      const Hit<float> hit = reported(listed);
       write_hit<query>(results, i, hit);
       if (query == Query::nearest_hit && results.has_attributes())
         write_attributes(scene, loaded<float>(rays.rays, rays.format, i), hit, results, i);
     };
-    if constexpr (std::is_same_v<Grid, HierarchyView<float>>) {
-      return trace_list<query, M>(
-          scene, grid, rays.rays, rays.format, first,
-          end, [&](std::size_t i, const ListedHit& hit) __attribute__((always_inline)) {
-            write(i, reported(hit));
-          });
-    }
-    EightRays eight;
-    for (; first + EightRays::count <= end; first += EightRays::count) {
-      eight.load(rays.rays, rays.format, first);
-      eight.prepare(scene.clip);
-      trace_eight<query, M>(scene, grid, eight,
-                            [&](std::size_t i, const Hit<float>& hit) { write(first + i, hit); });
-    }
+    if constexpr (std::is_same_v<Grid, HierarchyView<float>>)
+      return trace_list<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
+    else
+      return trace_in_turn<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
   }
 #endif
   return first;
