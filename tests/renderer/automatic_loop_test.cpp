@@ -121,6 +121,9 @@ TEST_F(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
     const RayLoop shared =
         automatic_loop(WarpCosts{work + 10, work, 2 * work + 20, 2 * work}, Query::nearest_hit, false);
     EXPECT_EQ(shared, RayLoop::warp) << work;
+    // Also where the rays that wait are few, or short.
+    EXPECT_EQ(automatic_loop(WarpCosts{4.2, 2, 6.1, 3.5}, Query::nearest_hit, false), RayLoop::warp);
+    EXPECT_EQ(automatic_loop(WarpCosts{4.2, 2, 6.1, 3.5}, Query::nearest_hit, true), RayLoop::thread_per_ray);
   }
 }
 
