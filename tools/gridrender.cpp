@@ -47,8 +47,9 @@ std::vector<std::string> joined(std::vector<std::string> first, const std::vecto
 bool writes_jpeg(const Settings& settings) {
   return !settings.output.empty() && !settings.no_picture && format_of(settings) == ImageFormat::jpeg;
 }
+constexpr int usual_quality = 90;
 int quality_of(const Settings& settings) {
-  return settings.quality.value_or(90);
+  return settings.quality.value_or(usual_quality);
 }
 
 // Whether anything but channels is to be traced.
@@ -138,7 +139,7 @@ std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View
 }
 
 // What a picture's bytes depend on besides its view. Neither the grid nor the device is among it.
-PngTexts picture_texts(const Settings& settings, const SceneFile& scene) {
+PictureTexts picture_texts(const Settings& settings, const SceneFile& scene) {
   const FrameOptions& frame = settings.frame;
   const TracingRules& rules = settings.tracing.rules;
   std::string options = fmt::format("--precision {} --sampling {} --depth {}", name_of(rules.precision),
@@ -165,7 +166,7 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
     for (const View& view : request.views)
       request.frame.window = window_of(crop, view.camera, settings.frame.sampling, "--crop");
   }
-  const PngTexts texts = picture_texts(settings, scene);
+  const PictureTexts texts = picture_texts(settings, scene);
   if (!settings.output.empty() && !settings.no_picture)
     request.image = {format_of(settings), settings.frame.sampling, settings.srgb, texts,
                      quality_of(settings)};
@@ -231,7 +232,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_option("--quality", settings.quality, "of a JPEG: 100 is best")
       .type_name("N")
       .range(1, 100)
-      .default_text("90");
+      .default_text(std::to_string(usual_quality));
   command.add_flag("--srgb", settings.srgb,
                    "encode PNG and JPEG values as sRGB; without it they are stored as they are");
   command.add_file(

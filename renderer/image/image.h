@@ -26,7 +26,7 @@ struct ImageOptions {
   ImageFormat format = ImageFormat::png;
   Sampling sampling = Sampling::corners;
   bool srgb = false; // PNG, JPEG: encode values as sRGB; otherwise they are stored as they are
-  PngTexts texts{};
+  PictureTexts texts{};
   int quality = 0; // of a JPEG
 };
 

@@ -67,7 +67,7 @@ std::int32_t jpeg_band_rows(std::int32_t width) {
   return block * std::max(blocks / blocks_of(width), std::min(rows, most_blocks / blocks_of(width)));
 }
 
-JpegWriter::JpegWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PngTexts& texts)
+JpegWriter::JpegWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PictureTexts& texts)
     : file_(file), width_(width), height_(height) {
   constexpr std::size_t longest = (1 << 16) - 3;
   std::string lines;

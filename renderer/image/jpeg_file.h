@@ -33,7 +33,7 @@ class JpegWriter {
 public:
   // Of the whole picture; both sides are from 1 to largest_jpeg_side. `texts` become a comment. The file must
   // outlive the writer; it isn't committed. All throw Error(output).
-  JpegWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PngTexts& texts = {});
+  JpegWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PictureTexts& texts = {});
 
   // The next band from the top, as jpeg() made it: all of one quality. The last one completes the file.
   void write(std::span<const std::uint8_t> band);

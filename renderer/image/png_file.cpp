@@ -106,7 +106,7 @@ PngRows encoded_rows(std::span<const std::uint8_t> rgb, std::int32_t width, bool
   return encoded;
 }
 
-PngWriter::PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PngTexts& texts)
+PngWriter::PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PictureTexts& texts)
     : file_(file), row_bytes_(row_bytes_of(width) + 1), rows_left_(height) {
   std::vector<std::uint8_t> bytes{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
   put(header, static_cast<std::uint32_t>(width));
@@ -137,7 +137,7 @@ void PngWriter::write(const PngRows& rows) {
 }
 
 void write_png(std::span<const std::uint8_t> rgb, std::int32_t width, std::int32_t height,
-               const std::string& path, const PngTexts& texts) {
+               const std::string& path, const PictureTexts& texts) {
   OutputFile file(path);
   PngWriter(file, width, height, texts).write(encoded_rows(rgb, width, true));
   file.commit();

@@ -12,7 +12,7 @@
 namespace masu {
 
 // Keywords (1 to 79 characters) and texts, all ASCII.
-using PngTexts = std::vector<std::pair<std::string, std::string>>;
+using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
 // A picture is compressed in bands of so many rows, which its width alone decides; the last one may be lower.
 // Bands are independent: whoever encodes them, in whatever order, the file is the same.
@@ -33,7 +33,7 @@ PngRows encoded_rows(std::span<const std::uint8_t> rgb, std::int32_t width, bool
 class PngWriter {
 public:
   // Both sides at least 1. The file must outlive the writer; it isn't committed. All throw Error(output).
-  PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PngTexts& texts = {});
+  PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PictureTexts& texts = {});
 
   // The next rows from the top. The last of all rows completes the file.
   void write(const PngRows& rows);
@@ -47,6 +47,6 @@ private:
 
 // A whole picture. Throws Error(output).
 void write_png(std::span<const std::uint8_t> rgb, std::int32_t width, std::int32_t height,
-               const std::string& path, const PngTexts& texts = {});
+               const std::string& path, const PictureTexts& texts = {});
 
 } // namespace masu

@@ -24,7 +24,7 @@ protected:
   }
 
   Bytes written(std::int32_t width, std::int32_t height, const std::vector<Bytes>& bands,
-                const PngTexts& texts = {}) const {
+                const PictureTexts& texts = {}) const {
     OutputFile file(folder_.file("a.jpg"));
     JpegWriter writer(file, width, height, texts);
     for (const Bytes& band : bands)

@@ -93,7 +93,7 @@ double advance_of(cairo_t* cairo, const std::string& text, double size) {
 
 } // namespace
 
-void write_png(const Drawing& drawing, const std::string& path, const PngTexts& texts) {
+void write_png(const Drawing& drawing, const std::string& path, const PictureTexts& texts) {
   constexpr std::int32_t side = 8192; // of a part: Cairo's images have at most 32767 pixels a side
   const auto [width, height] = std::pair(drawing.width, drawing.height);
   std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

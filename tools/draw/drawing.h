@@ -23,7 +23,7 @@ struct Drawing {
 
 // Both throw Error(output, path, …). Where no font is found, a line on standard error says so, and there is
 // no text. The same page has the same bytes on a machine; text depends on its fonts.
-void write_png(const Drawing& drawing, const std::string& path, const PngTexts& texts);
+void write_png(const Drawing& drawing, const std::string& path, const PictureTexts& texts);
 // `title` and `description` may hold any bytes.
 void write_svg(const Drawing& drawing, const std::string& path, const std::string& title,
                const std::string& description);

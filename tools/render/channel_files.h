@@ -30,7 +30,7 @@ struct ChannelsJob {
   std::vector<std::string> pictures{}; // names, one for each view: channel_files() says what is written
   ChannelFormat format = ChannelFormat::pfm;
   std::uint32_t high = 0; // of the scale of cells' and tests' pictures; 0: of their own values
-  PngTexts texts{};
+  PictureTexts texts{};
 };
 
 // Traces and writes one view after the other. PFM: float32, one channel, of normals three; .npy: shape (rows,

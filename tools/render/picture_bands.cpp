@@ -92,7 +92,7 @@ std::uint64_t PictureBands::pfm_offset(std::size_t band) const {
   return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
 }
 
-PartedForm PictureBands::picture_form(std::function<PngTexts()> texts) const {
+PartedForm PictureBands::picture_form(std::function<PictureTexts()> texts) const {
   if (format_ == ImageFormat::pfm) {
     const std::uint64_t pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_);
     return {count(), [this](std::uint64_t band) { return pfm_offset(band); },

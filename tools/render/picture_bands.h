@@ -28,7 +28,7 @@ public:
   std::vector<std::uint8_t> hits(std::size_t band, const Frame& frame) const;
   std::vector<std::uint8_t> picture(std::size_t band, const Frame& frame, const ImageOptions& options) const;
   // How these make the picture's file. `texts`: of a PNG or JPEG file. The bands outlive the form.
-  PartedForm picture_form(std::function<PngTexts()> texts) const;
+  PartedForm picture_form(std::function<PictureTexts()> texts) const;
 
   std::uint64_t first_hit(std::size_t band) const; // its index in the picture
   std::uint64_t hit_count() const;                 // of the whole picture

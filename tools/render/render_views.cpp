@@ -87,7 +87,7 @@ std::vector<ViewFile> files_of(const ViewsRequest& request, const Layout& layout
   }
   if (!picture.empty()) {
     const auto texts = [&request, view] {
-      PngTexts all = request.image.texts;
+      PictureTexts all = request.image.texts;
       all.emplace_back("View", description(request.views[view].camera, request.frame));
       return all;
     };
