@@ -17,6 +17,8 @@
 
 namespace masu {
 
+inline constexpr Hit<float> no_hit{static_cast<float>(INFINITY), no_primitive};
+
 MASU_ALWAYS_INLINE __m256i load_eight(const void* from) {
   return _mm256_loadu_si256(static_cast<const __m256i*>(from));
 }
@@ -81,7 +83,8 @@ public:
   static constexpr int lanes = 8;
 
   // No lane has a ray.
-  explicit EightWalks(const HierarchyView<float>& hierarchy) // NOLINT(cppcoreguidelines-pro-type-member-init)
+  explicit EightWalks( // NOLINT(cppcoreguidelines-pro-type-member-init): idle lanes count for nothing
+      const HierarchyView<float>& hierarchy)
       : hierarchy_(hierarchy) {
     for (int lane = 0; lane < lanes; ++lane) {
       std::fill_n(ahead_[lane].entries, below, nowhere);
@@ -114,8 +117,7 @@ public:
   // The nearest hit; of occlusion one that is nearer than t_max.
   MASU_ALWAYS_INLINE Hit<float> hit(int lane) const {
     const float t = t_.of[lane];
-    return t < t_max_[lane] ? Hit<float>{t, primitive_[lane]}
-                            : Hit<float>{static_cast<float>(INFINITY), no_primitive};
+    return t < t_max_[lane] ? Hit<float>{t, primitive_[lane]} : no_hit;
   }
 
   template <class Stored>

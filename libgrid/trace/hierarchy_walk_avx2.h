@@ -39,8 +39,7 @@ struct BoxRay {
   }
 };
 
-// The boxes of a node that a ray meets: all bits of their slots' lanes, a bit per slot; and where it enters
-// them.
+// Of eight boxes those that are met: all bits of their lanes, a bit for each; and where they are entered.
 struct BoxesMet {
   __m256 lanes, enter;
   std::uint32_t slots;
@@ -63,6 +62,15 @@ MASU_ALWAYS_INLINE NodePlanes planes_of(const HierarchyNode& node, const BoxRay&
           {numbers(ray.far_x), numbers(ray.far_y), numbers(ray.far_z)}};
 }
 
+// Of eight pairs of a box and a ray those that meet as far as `farthest`, by where the ray meets the planes
+// of each axis.
+MASU_ALWAYS_INLINE BoxesMet boxes_met(const Vec3<Floats8>& near, const Vec3<Floats8>& far, Floats8 farthest) {
+  const Floats8 enter = max(max(near.x, near.y), max(near.z, Floats8(0.0F))),
+                leave = min(min(far.x, far.y), min(far.z, farthest));
+  const Mask8 met = enter <= leave;
+  return {met.v, enter.v, met.bits()};
+}
+
 // Of a node's boxes those that are entered by one ray, as far as `farthest`, before they are left by another
 // that runs the same way along each axis, or the same one.
 MASU_ALWAYS_INLINE BoxesMet boxes_met(const HierarchyNode& node, const NodePlanes& planes,
@@ -79,11 +87,7 @@ MASU_ALWAYS_INLINE BoxesMet boxes_met(const HierarchyNode& node, const NodePlane
                          fma(q.y, permuted(scale, y), permuted(start, y)),
                          fma(q.z, permuted(scale, z), permuted(start, z))};
   };
-  const Vec3<Floats8> near = met_at(entering, planes.near), far = met_at(leaving, planes.far);
-  const Floats8 enter = max(max(near.x, near.y), max(near.z, Floats8(0.0F))),
-                leave = min(min(far.x, far.y), min(far.z, Floats8(farthest)));
-  const Mask8 met = enter <= leave;
-  return {met.v, enter.v, met.bits()};
+  return boxes_met(met_at(entering, planes.near), met_at(leaving, planes.far), farthest);
 }
 MASU_ALWAYS_INLINE BoxesMet boxes_met(const HierarchyNode& node, const BoxRay& ray, float farthest) {
   return boxes_met(node, planes_of(node, ray), ray, ray, farthest);

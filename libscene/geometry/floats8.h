@@ -120,7 +120,7 @@ MASU_ALWAYS_INLINE Floats8 inverse_power_of_two(Floats8 magnitude) {
 }
 
 // Where they lie in memory: a number of each of eight rays. Not initialised.
-struct alignas(32) Numbers8 { // NOLINT(cppcoreguidelines-pro-type-member-init)
+struct alignas(32) Numbers8 { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
   float of[8];
   MASU_ALWAYS_INLINE Floats8 all() const { return Floats8::load(of); }
   MASU_ALWAYS_INLINE void set(Floats8 value) { value.store(of); }

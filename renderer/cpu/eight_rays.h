@@ -10,8 +10,6 @@
 
 namespace masu {
 
-inline constexpr Hit<float> no_hit{static_cast<float>(INFINITY), no_primitive};
-
 // What a ray of a list hits. `near` counts t from where the ray enters the scene's bounds, and in lengths of
 // the direction as it was scaled.
 struct ListedHit {
@@ -24,7 +22,7 @@ inline Hit<float> reported(const ListedHit& hit) {
 }
 
 // Not initialised: it is made for every eight rays.
-struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init)
+struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
   static constexpr std::size_t count = 8;
 
   // The first eight are filled in by load(), the others by prepare().

@@ -118,8 +118,7 @@ private:
     }
   };
 
-  // A function of a slot: which of the eight rays meet its box. As boxes_met() (hierarchy_walk_avx2.h) has
-  // it of one ray and eight boxes.
+  // A function of a slot: which of the eight rays meet its box.
   MASU_ALWAYS_INLINE auto meeting(const HierarchyNode& node, const Planes& planes, int e) const {
     const auto unit = [&](int axis) -> Floats8 {
       return float_of((node.exponents >> (8 * axis) & 0xff) << 23);
@@ -129,12 +128,13 @@ private:
                                  rays_[e].origin.all()) *
                                 inverse_[e];
     return [&planes, scale, start, farthest = t_[e] ](int slot) __attribute__((always_inline)) {
-      const auto at = [&](const float(&of_slots)[3][boxes_per_node], int axis) {
-        return masu::fma(Floats8(of_slots[axis][slot]), scale[axis], start[axis]);
+      const auto at = [&](const float(&of_slots)[3][boxes_per_node]) __attribute__((always_inline)) {
+        const auto along = [&](int axis) __attribute__((always_inline)) {
+          return masu::fma(Floats8(of_slots[axis][slot]), scale[axis], start[axis]);
+        };
+        return Vec3<Floats8>{along(0), along(1), along(2)};
       };
-      const Floats8 enter = max(max(at(planes.near, 0), at(planes.near, 1)), max(at(planes.near, 2), 0.0F)),
-                    leave = min(min(at(planes.far, 0), at(planes.far, 1)), min(at(planes.far, 2), farthest));
-      return (enter <= leave).bits();
+      return boxes_met(at(planes.near), at(planes.far), farthest).slots;
     };
   }
 

@@ -93,23 +93,19 @@ WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Pre
 // A warp's threads wait for its longest ray. Where that costs less than fetching rays does, which was
 // measured to take about as long as 2.7 steps and tests, nothing is fetched. Nor is it where rays are so
 // alike that few of them wait. But their tests are shared if most threads would wait for those of a few: also
-// where these are few of a list's rays, since a sample seldom meets the longest, for which alone the launch
-// would go on. Rays that end at any hit are done at different times however alike they are: for these all
+// where such warps are few, since a sample seldom meets the longest rays, for which alone a launch goes on.
+// Rays that end at any hit are done at different times however alike they are: for these all
 // that counts is how long the others wait, in hierarchies also beside a ray's own length. docs/algorithm.md
 // says how near to the best loop's rate that comes.
 RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy) {
-  constexpr double fetching = 2.7, alike = 2.2, shared = 1.7, more_tests = 1.2;
-  const double waiting = costs.most_work - costs.work;
-  const bool any_hit = query == Query::occlusion;
-  const bool tests_differ = !is_hierarchy && costs.most_tests >= shared * costs.tests;
-  if (waiting < fetching) {
-    const bool shares = tests_differ && costs.most_tests - costs.tests > more_tests;
-    return shares ? RayLoop::warp : RayLoop::thread_per_ray;
-  }
+  constexpr double fetching = 2.7, alike = 2.2;
+  const double waiting = costs.most_work - costs.work, more_tests = costs.most_tests - costs.tests;
+  const bool any_hit = query == Query::occlusion, wait = waiting >= fetching;
   const double is_long = is_hierarchy ? std::max(8.0, 0.7 * costs.work) : 30;
-  const bool refills = any_hit ? waiting > is_long : costs.most_work > alike * costs.work;
-  if (refills) return RayLoop::warp_refill;
-  return tests_differ || (any_hit && !is_hierarchy) ? RayLoop::warp : RayLoop::thread_per_ray;
+  if (wait && (any_hit ? waiting > is_long : costs.most_work > alike * costs.work))
+    return RayLoop::warp_refill;
+  const bool share = more_tests > std::max(1.2, 0.7 * costs.tests) || (any_hit && wait);
+  return share && !is_hierarchy ? RayLoop::warp : RayLoop::thread_per_ray;
 }
 
 RayLoop UsualLoops::of(const Tracer& tracer, bool coherent) {

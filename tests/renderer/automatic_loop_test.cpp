@@ -118,12 +118,19 @@ TEST_F(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
       }
     }
     // The others wait for the tests of a few: they are shared, where cells have lists.
+    const double few = work + 2;
     const RayLoop shared =
-        automatic_loop(WarpCosts{work + 10, work, 2 * work + 20, 2 * work}, Query::nearest_hit, false);
+        automatic_loop(WarpCosts{few + 10, few, 2 * few + 20, 2 * few}, Query::nearest_hit, false);
     EXPECT_EQ(shared, RayLoop::warp) << work;
-    // Also where the rays that wait are few, or short.
-    EXPECT_EQ(automatic_loop(WarpCosts{4.2, 2, 6.1, 3.5}, Query::nearest_hit, false), RayLoop::warp);
-    EXPECT_EQ(automatic_loop(WarpCosts{4.2, 2, 6.1, 3.5}, Query::nearest_hit, true), RayLoop::thread_per_ray);
+  }
+}
+
+TEST_F(AutomaticLoop, SharesTestsOfAFewAlsoWhereHardlyAnyRayWaits) {
+  for (const Query query : {Query::nearest_hit, Query::occlusion}) {
+    const WarpCosts some{4.2, 2, 6.1, 3.5}, hardly_any{0.5, 0.1, 1.4, 0.9};
+    EXPECT_EQ(automatic_loop(some, query, false), RayLoop::warp);
+    EXPECT_EQ(automatic_loop(some, query, true), RayLoop::thread_per_ray); // a hierarchy's nodes hold few
+    EXPECT_EQ(automatic_loop(hardly_any, query, false), RayLoop::thread_per_ray);
   }
 }
 
