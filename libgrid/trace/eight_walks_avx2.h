@@ -17,8 +17,6 @@
 
 namespace masu {
 
-inline constexpr Hit<float> no_hit{static_cast<float>(INFINITY), no_primitive};
-
 MASU_ALWAYS_INLINE __m256i load_eight(const void* from) {
   return _mm256_loadu_si256(static_cast<const __m256i*>(from));
 }
@@ -117,7 +115,7 @@ public:
   // The nearest hit; of occlusion one that is nearer than t_max.
   MASU_ALWAYS_INLINE Hit<float> hit(int lane) const {
     const float t = t_.of[lane];
-    return t < t_max_[lane] ? Hit<float>{t, primitive_[lane]} : no_hit;
+    return t < t_max_[lane] ? Hit<float>{t, primitive_[lane]} : no_hit();
   }
 
   template <class Stored>

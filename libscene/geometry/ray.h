@@ -28,6 +28,11 @@ struct Hit {
   PrimitiveIndex primitive;
 };
 
+// A miss as it is reported of a ray in a list.
+MASU_HD constexpr Hit<float> no_hit() {
+  return {static_cast<float>(INFINITY), no_primitive};
+}
+
 // Ties go to the lowest primitive index: so results don't depend on the order of tests.
 template <class Real>
 MASU_HD inline bool is_nearer(Real t, PrimitiveIndex primitive, const Hit<Real>& than) {

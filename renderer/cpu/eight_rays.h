@@ -16,7 +16,7 @@ struct ListedHit {
   Hit<float> near;
   float skipped, scale;
 };
-inline constexpr ListedHit no_listed_hit{no_hit, 0, 1};
+inline constexpr ListedHit no_listed_hit{no_hit(), 0, 1};
 inline Hit<float> reported(const ListedHit& hit) {
   return reported(hit.near, static_cast<float>(INFINITY), hit.skipped, hit.scale);
 }
@@ -137,7 +137,7 @@ inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Grid& gri
       if ((eight.meet_bounds >> i & 1) != 0) {
         const WatertightRay<float> ray = eight.test_ray(i);
         const float t_max = eight.t_max.of[i];
-        hit = {no_hit, eight.skipped.of[i], eight.scale.of[i]};
+        hit = {no_hit(), eight.skipped.of[i], eight.scale.of[i]};
         NoCounts counts;
         if constexpr (query == Query::occlusion) {
           AnyHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, t_max};

@@ -59,7 +59,7 @@ public:
     PrimitiveIndex primitives[EightRays::count];
     store_eight(primitives, primitive_[e]);
     const bool hits = t[lane] < (query == Query::occlusion ? 0.0F : rays_[e].t_max.of[lane]);
-    return hits ? Hit<float>{t[lane], primitives[lane]} : no_hit;
+    return hits ? Hit<float>{t[lane], primitives[lane]} : no_hit();
   }
 
 private:

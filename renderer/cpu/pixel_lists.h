@@ -62,7 +62,7 @@ private:
       rays_.push_back(unbounded_ray(pixels_[i].tree.ray.origin, pixels_[i].tree.ray.direction));
     trace<Query::nearest_hit>([&](std::size_t k, const ListedHit& found) {
       NearHit<WatertightRay<float>>& hit = pixels_[going[k]].hit;
-      hit.hit = no_hit;
+      hit.hit = no_hit();
       if (found.near.primitive == no_primitive) return;
       ClippedRay<float> near{};
       clip(rays_[k], scene_.clip, near);

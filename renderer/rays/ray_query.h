@@ -144,7 +144,7 @@ void for_each_array(Results& results, const Act& act) {
 // What is reported of a ray that was scaled and clipped: `nearest` is at t_max where nothing was hit.
 template <class Real>
 MASU_HD inline Hit<float> reported(const Hit<Real>& nearest, Real t_max, Real skipped, Real scale) {
-  if (!(nearest.t < t_max)) return {static_cast<float>(INFINITY), no_primitive};
+  if (!(nearest.t < t_max)) return no_hit();
   return {static_cast<float>((nearest.t + skipped) * scale), nearest.primitive};
 }
 
@@ -171,7 +171,7 @@ MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Gri
   }
   const Hit<Real> hit = nearest_hit<M>(scene, grid, ray, counts);
   counts.camera_ray(hit.primitive != no_primitive);
-  if (hit.primitive == no_primitive) return {static_cast<float>(INFINITY), no_primitive};
+  if (hit.primitive == no_primitive) return no_hit();
   return {static_cast<float>(hit.t * scale), hit.primitive};
 }
 
