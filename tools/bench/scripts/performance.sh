@@ -13,7 +13,7 @@ size=$(full 1024x1024 64x64)
 warm_up=1 repeat=3 # untimed runs, and timed ones of which the median counts
 [ "$backend" = cuda ] && warm_up=10 repeat=25
 [ "$quick" ] && warm_up=0 repeat=1
-large=(teapot-60 mount-10 tetra-9 tetra-10 balls-triangles rings-triangles tree-triangles)
+large=(teapot-60 mount-10-triangles tetra-9 tetra-10 balls-triangles rings-triangles tree-triangles)
 
 # A line for each scene: its name, the options of nffgen, those of nff2bin.
 scenes() {
@@ -23,6 +23,7 @@ scenes() {
     echo "$name:${name%-*} --size $(full "${name#*-}" 3):"
   done
   for name in balls rings tree; do echo "$name-triangles:$name $(full '' '--size 2'):--tessellate 12"; done
+  echo "mount-10-triangles:mount --size $(full 10 3):--tessellate 12"
 }
 
 # A line for each grid beside the automatic one: its name, the options of gridbuild.
@@ -46,7 +47,7 @@ prepare() {
       echo "gridbuild $name.scene -o $name.$grid.grid -q --threads 1 $options"
     done
   done | at_once
-  for name in balls-5 mount-8; do gridbuild $name.scene -o $name.grid -q --structure grid; done
+  for name in balls-5 mount-8 mount-10; do gridbuild $name.scene -o $name.grid -q --structure grid; done
   for scene in *.scene; do record scenes "${scene%.scene}" nff2bin --info --json "$scene"; done
 }
 

@@ -12,7 +12,7 @@ import statistics
 from choice import CHOICES, chosen, outcomes
 from measured import STANDARD, figure, head, made_by, run_script, table
 
-LARGE = "teapot-60 mount-10 tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
+LARGE = "teapot-60 mount-10-triangles tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
 
 
 def peer_rates():
