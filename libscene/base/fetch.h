@@ -20,11 +20,18 @@ __device__ inline Record load_in_pieces(const Record* record, const Load& load) 
 }
 #endif
 
-// *record; on the device in 16-byte loads through the read-only cache (ld.global.nc).
+// *record; on the device in 16-byte loads through the read-only cache. What comes from memory brings along
+// what lies beside it, 128 bytes in all: neighbours are soon wanted.
 template <class Record>
 MASU_HD inline Record fetched(const Record* record) {
 #ifdef __CUDA_ARCH__
-  return load_in_pieces<uint4>(record, [](const uint4* piece) { return __ldg(piece); });
+  return load_in_pieces<uint4>(record, [](const uint4* piece) {
+    uint4 loaded;
+    asm("ld.global.nc.L2::128B.v4.u32 {%0, %1, %2, %3}, [%4];"
+        : "=r"(loaded.x), "=r"(loaded.y), "=r"(loaded.z), "=r"(loaded.w)
+        : "l"(piece));
+    return loaded;
+  });
 #else
   return *record;
 #endif

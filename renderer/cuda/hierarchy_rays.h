@@ -11,8 +11,9 @@
 
 namespace masu {
 
-// Lanes fetch rays once so many lane steps were idle: lanes beyond idle_lanes_tolerated, summed over steps.
-inline constexpr int max_idle_steps = 8, idle_lanes_tolerated = 4;
+// Lanes fetch rays once so many lane steps were idle: lanes beyond idle_lanes_tolerated, summed over steps;
+// and then as long as rays miss the scene, until no more than max_lanes_wanting are left without one.
+inline constexpr int max_idle_steps = 4, idle_lanes_tolerated = 4, max_lanes_wanting = 8;
 
 // Of a warp that has no more rays to fetch, so many are traced by groups of 2 and of 4 lanes. By 8 lanes a
 // step takes no fewer instructions than by 4.
@@ -65,23 +66,11 @@ __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const
   return holders;
 }
 
-// Begins ray `number` of the list; false where it misses the scene's bounds, or there is none.
-template <Query query, class Real, class TestRay, class Stored>
-__device__ inline bool begin_ray(const SceneView<Stored>& scene, const Ray<Real>* rays, std::uint32_t count,
-                                 std::uint32_t number, const RayResults& results, RayEnds<Real>& end,
-                                 WalkingRay<TestRay>& own) {
-  if (number >= count) return false;
-  ClippedRay<Real> near{};
-  Real scale;
-  if (!scale_and_clip(scene, streamed(rays + number), near, scale)) {
-    write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
-    return false;
-  }
-  end = {scale, near.skipped, near.ray.t_max, number};
+template <class TestRay>
+__device__ inline void begin_ray(const ClippedRay<typename TestRay::Real>& near, WalkingRay<TestRay>& own) {
   own.nearest = {near.ray.t_max, 0};
   prepare(own.test_ray, near.ray.origin, near.ray.direction);
   own.walk.begin(near);
-  return true;
 }
 
 // Goes on with a warp's last rays, each of one of its lanes, by groups of lanes.
@@ -115,8 +104,10 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   WalkingRay<typename M::TestRay> own{};
   own.thread = threadIdx.x;
   const std::uint32_t number = blockIdx.x * rays_per_block + threadIdx.x;
-  const bool has_ray = begin_ray<query>(scene, rays, count, number, results, end, own);
+  ClippedRay<typename M::Real> near{};
+  const bool has_ray = fetch_ray<query>(scene, rays, count, number, results, end, near);
   if (!__any_sync(all_lanes, has_ray)) return;
+  if (has_ray) begin_ray(near, own);
   bool under_way = goes_on<query, M>(scene, own, end.t_max, [&](auto& visitor) {
     return begin_packet<max_packet_leaves<M>>(hierarchy, own.walk, stack, visitor, has_ray,
                                               packets[threadIdx.x / lanes_per_warp]);
@@ -155,13 +146,16 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
       has_ray = false;
     }
     if (more && idle != 0) {
-      const std::uint32_t first = add_for_warp(*next_ray, __popc(idle));
-      more = first + static_cast<unsigned>(__popc(idle)) < count;
-      if (!under_way)
-        has_ray = under_way =
-            begin_ray<query>(scene, rays, count, first + rank_among(idle, lane), results, end, own);
-      idle = __ballot_sync(all_lanes, !under_way);
-      if (more && __popc(idle) > lanes_per_warp / 2) continue; // most miss the scene
+      ClippedRay<typename M::Real> near{};
+      do {
+        const std::uint32_t first = add_for_warp(*next_ray, __popc(idle));
+        more = first + static_cast<unsigned>(__popc(idle)) < count;
+        if (!has_ray)
+          has_ray = fetch_ray<query>(scene, rays, count, first + rank_among(idle, lane), results, end, near);
+        idle = __ballot_sync(all_lanes, !has_ray);
+      } while (more && __popc(idle) > max_lanes_wanting);
+      if (has_ray && !under_way) begin_ray(near, own); // of all that were fetched at once
+      under_way = has_ray;
     }
     if (!more && __popc(~idle) <= max_rays_by_pairs) break;
     int idle_steps = 0;

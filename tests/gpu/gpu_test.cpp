@@ -241,6 +241,24 @@ TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
   }
 }
 
+// Warps take rays in advance, and some of them take long while the list comes to its end.
+TEST_P(CpuAndGpu, FindTheSameWhereMostOfAMillionRaysMiss) {
+  for (const GridKind kind : {GridKind::irregular, GridKind::hierarchy}) {
+    const Rendering built = build("1", kind);
+    const Box<double> box = cast<double>(built.scene().view<float>().clip);
+    const Vec3<double> away = box.max - box.min;
+    const std::vector<Ray<double>> crossing = random_rays(built.scene(), 1000, seed_.engine()());
+    std::vector<Ray<double>> rays(1'200'000, unbounded_ray(box.max + away, away));
+    for (std::size_t i = 0; i < rays.size(); i += 40)
+      rays[i] = crossing[i / 40 % crossing.size()];
+    const RayHits cpu = trace(Device::cpu, built, rays, {});
+    for (const RayLoop loop : {RayLoop::warp, RayLoop::warp_refill}) {
+      SCOPED_TRACE(static_cast<int>(loop));
+      expect_same_hits(cpu.hits, trace(Device::cuda, built, rays, {.loop = loop}).hits);
+    }
+  }
+}
+
 TEST_P(CpuAndGpu, FindTheSameRaysOccluded) {
   const Rendering built = build(Store::float32, GetParam().standard, "auto");
   std::vector<Ray<double>> rays = random_rays(built.scene(), 300'000, 1);
