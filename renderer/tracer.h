@@ -139,7 +139,8 @@ inline RayList relative(RayList rays) {
 
 // How a GPU schedules rays. thread_per_ray: a thread traces one ray to its end, and a warp's threads wait for
 // each other at every cell. warp: its threads share the primitive tests of its rays. warp_refill: besides,
-// idle threads fetch the next rays (renderer/cuda/warp_tracing.h, hierarchy_rays.h). Hits are the same.
+// idle threads fetch the next ray (renderer/cuda/warp_tracing.h), and where most rays miss the scene's bounds
+// those are sorted out first (renderer/cuda/culling.h). Hits are the same.
 enum class RayLoop { thread_per_ray, warp, warp_refill };
 
 inline constexpr std::uint32_t max_hits_per_ray = 1 << 16;

@@ -66,6 +66,21 @@ __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const
   return holders;
 }
 
+// Clips ray `number` of the list; false where it misses the scene's bounds, which is written, or there is
+// none.
+template <Query query, class Real, class Stored>
+__device__ inline bool fetch_ray(const SceneView<Stored>& scene, const Ray<Real>* rays, std::uint32_t count,
+                                 std::uint32_t number, const RayResults& results, RayEnds<Real>& end,
+                                 ClippedRay<Real>& near) {
+  if (number >= count) return false;
+  Real scale;
+  if (!scale_and_clip(scene, streamed(rays + number), near, scale)) {
+    write_hit<query>(results, number, no_hit());
+    return false;
+  }
+  end = {scale, near.skipped, near.ray.t_max, number};
+  return true;
+}
 template <class TestRay>
 __device__ inline void begin_ray(const ClippedRay<typename TestRay::Real>& near, WalkingRay<TestRay>& own) {
   own.nearest = {near.ray.t_max, 0};

@@ -27,6 +27,8 @@ struct WarpProgress {
   };
   std::uint32_t next_ray; // that no warp has fetched yet
   std::uint32_t left;     // rays
+  std::uint32_t culls;    // 1: most rays miss the scene's bounds, and the others are chosen (culling.h)
+  std::uint32_t chosen;   // so many rays
   Signal drained[lanes_per_warp];
 };
 

@@ -49,6 +49,27 @@ constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
                                 (std::is_same_v<TestRay, WatertightRay<double>> &&
                                  query == Query::nearest_hit && !is_hierarchy<Grid>);
 
+// A list of rays, with room for those that culling chooses where that may be worth it.
+template <class Real>
+struct CullingMemory {
+  DeviceArray<std::uint32_t> chosen;
+  RayQueue<Real> queue;
+
+  CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, const Queue& stream)
+      : chosen(refills && count >= min_rays_culled ? count : 0, stream), queue{rays, count, chosen.data(),
+                                                                               chosen.size() > 0} {}
+};
+
+template <class Real, class Stored>
+void cull(const DeviceFilesOf<Stored>& files, Query query, const RayBatch<Real>& batch,
+          const CullingMemory<Real>& culled, WarpProgress* progress) {
+  if (!culled.queue.may_cull) return;
+  auto* const kernel = cull_kernel<Real, Stored>;
+  launch(kernel, files.kernels->of(kernel, threads_per_culling_block).blocks, threads_per_culling_block,
+         batch.queue.stream, files.scene.view, batch.rays, culled.queue.count, query, batch.results,
+         culled.chosen.data(), progress);
+}
+
 // Traces by warp or warp_refill (RayLoop).
 template <Query query, class M, class Stored, class Grid>
 KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, RayLoop loop,
@@ -57,6 +78,7 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   const SceneView<Stored>& scene = files.scene.view;
   const auto count = static_cast<std::uint32_t>(batch.count);
   const cudaStream_t stream = batch.queue.stream;
+  const bool refills = loop == RayLoop::warp_refill;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
   const auto known = files.kernels->of(trace, rays_per_block),
@@ -64,12 +86,13 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   const std::uint32_t blocks = std::min(blocks_of(rays_per_block, count), known.blocks),
                       finishing = std::max(blocks, known_finish.blocks);
   const StragglerQueueMemory<Real> left(blocks * (rays_per_block / lanes_per_warp), batch.queue);
+  const CullingMemory<Real> culled(batch.rays, count, refills, batch.queue);
+  const RayQueue<Real>& queue = culled.queue;
   batch.begin();
-  const int fetching = loop == RayLoop::warp_refill ? some_fetch : all_fetch;
-  launch(trace, blocks, rays_per_block, stream, scene, grid, batch.rays, count, fetching, batch.results,
-         left.view());
-  launch(finish, finishing, rays_per_block, stream, scene, grid, batch.rays, count, fetching, batch.results,
-         left.view());
+  cull(files, query, batch, culled, left.view().progress);
+  const int fetching = refills ? some_fetch : all_fetch;
+  launch(trace, blocks, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
+  launch(finish, finishing, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
   return known.size;
 }
 

@@ -9,9 +9,6 @@ namespace masu {
 
 inline constexpr int rays_per_block = 128;
 
-// Rays have numbers of 32 bits, and each warp may take more than there are.
-inline constexpr std::uint64_t max_rays_by_warps = 0x7fffffff;
-
 // Of so many lanes that have something to be shared out, each gets 2^n lanes for it.
 __device__ inline int lanes_log2_for_each(int having) {
   return having > lanes_per_warp / 2 ? 0 : __clz(having - 1) - 27;
@@ -31,22 +28,6 @@ struct RayEnds {
   Real scale, skipped, t_max;
   std::uint32_t number; // in the list
 };
-
-// Clips ray `number` of the list; false where it misses the scene's bounds, which is written, or there is
-// none.
-template <Query query, class Real, class Stored>
-__device__ inline bool fetch_ray(const SceneView<Stored>& scene, const Ray<Real>* rays, std::uint32_t count,
-                                 std::uint32_t number, const RayResults& results, RayEnds<Real>& end,
-                                 ClippedRay<Real>& near) {
-  if (number >= count) return false;
-  Real scale;
-  if (!scale_and_clip(scene, streamed(rays + number), near, scale)) {
-    write_hit<query>(results, number, no_hit());
-    return false;
-  }
-  end = {scale, near.skipped, near.ray.t_max, number};
-  return true;
-}
 
 // What a lane has for others to help with: a list of its ray's, or a way.
 struct SharedOut {

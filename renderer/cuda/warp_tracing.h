@@ -13,6 +13,7 @@
 // lane that makes them, and a walk may begin anywhere along the ray (libgrid/trace/walk.h).
 #pragma once
 
+#include "renderer/cuda/culling.h"
 #include "renderer/cuda/straggler_queue.h"
 #include "renderer/cuda/warp_rays.h"
 
@@ -70,38 +71,10 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
   }
 }
 
-// So many idle lanes fetch rays: where rays side by side have much in common; where not. If they miss the
-// scene, until half as many are left without one. Given at run time: the compiler unrolls loops by a number
-// that it knows, and makes them 3 % slower.
-inline constexpr int all_fetch = lanes_per_warp, some_fetch = 12;
-
-// Numbers of a list's rays for the lanes of a warp. All warps count at one address, and queue up there where
-// most rays miss the scene: so a warp takes some in advance, until the list's last ones.
-class RayNumbers {
-public:
-  __device__ bool may_have_more(std::uint32_t count) const { return next_ < count; }
-  __device__ bool are_given_out() const { return next_ == end_; }
-  // The next ones for lanes with a bit in `wanting`: from `count` on for nobody. For all lanes at once.
-  __device__ std::uint32_t take(std::uint32_t& next_ray, std::uint32_t count, unsigned wanting) {
-    constexpr std::uint32_t last_ones = 4 * lanes_per_warp; // of each warp
-    const unsigned rank = rank_among(wanting, threadIdx.x % lanes_per_warp), left = end_ - next_;
-    const auto wanted = static_cast<unsigned>(__popc(wanting));
-    std::uint32_t number = next_ + rank;
-    next_ += wanted;
-    if (left < wanted) {
-      const bool in_advance = end_ + last_ones * gridDim.x * (rays_per_block / lanes_per_warp) < count;
-      const unsigned more = in_advance ? lanes_per_warp : wanted - left;
-      const std::uint32_t first = add_for_warp(next_ray, static_cast<int>(more));
-      if (rank >= left) number = first + rank - left;
-      next_ = first + wanted - left;
-      end_ = first + more;
-    }
-    return number;
-  }
-
-private:
-  std::uint32_t next_ = 0, end_ = 0; // those that were taken and not given out yet
-};
+// So many idle lanes fetch rays: where rays side by side have much in common; where not; where rays were
+// chosen, so that fetching one takes two loads, one after the other. Given at run time: the compiler unrolls
+// loops by a number that it knows, and makes them 3 % slower.
+inline constexpr int all_fetch = lanes_per_warp, some_fetch = 12, some_fetch_chosen = 16;
 
 // Where fewer lanes found a list, the others first go one step further.
 inline constexpr int few_lists = 6;
@@ -109,25 +82,40 @@ inline constexpr int few_lists = 6;
 // The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`.
 template <bool finishes, Query query, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
-    warp_kernel(const SceneView<Stored> scene, const Grid grid, const Ray<typename M::Real>* const list,
-                const std::uint32_t count, const int fetching, const RayResults results,
-                const StragglerQueue<typename M::Real> left) {
+    warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayQueue<typename M::Real> queue,
+                const int fetching, const RayResults results, const StragglerQueue<typename M::Real> left) {
   using Real = typename M::Real;
   constexpr unsigned warps_a_block = rays_per_block / lanes_per_warp;
   __shared__ WarpRays<typename M::TestRay> block_rays[warps_a_block];
+  // Looked up where rays are fetched, for they would take up registers.
+  __shared__ struct {
+    const std::uint32_t* chosen; // null: all rays
+    std::uint32_t count;
+    int fetches_at;
+  } shared;
+  if constexpr (!finishes) {
+    if (threadIdx.x == 0) {
+      const bool culls = queue.may_cull && left.progress->culls != 0;
+      shared = {culls ? queue.chosen : nullptr, culls ? left.progress->chosen : queue.count,
+                culls ? some_fetch_chosen : fetching};
+    }
+    __syncthreads();
+  }
   const unsigned warp = threadIdx.x / lanes_per_warp, lane = threadIdx.x % lanes_per_warp;
   WarpRays<typename M::TestRay>& rays = block_rays[warp];
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
   LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
-  bool has_ray = false, own_rays = true;
+  bool has_ray = false, more = true, own_rays = true;
   DrainSignal drain;
-  RayNumbers numbers;
-  const auto fetch = [&](std::uint32_t number, ClippedRay<Real>& near) {
-    has_ray = fetch_ray<query>(scene, list, count, number, results, rays.ends[lane], near);
-  };
-  const auto begin = [&](const ClippedRay<Real>& near) {
-    own.under_way = true;
+  const auto begin = [&](std::uint32_t number) {
+    ClippedRay<Real> near{};
+    Real scale;
+    const bool meets = scale_and_clip(scene, streamed(queue.rays + number), near, scale);
+    has_ray = true;
+    own.under_way = meets;
+    rays.ends[lane] = {scale, near.skipped, near.ray.t_max, number};
     rays.nearest[lane].set({near.ray.t_max, 0});
+    if (!meets) return;
     prepare(rays.tests[lane], near.ray.origin, near.ray.direction);
     own.walk = Walk<Real, Grid>(grid, near);
   };
@@ -142,9 +130,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     const unsigned at = (lane * gridDim.x + blockIdx.x) * warps_a_block + warp;
     if (at < left.progress->left) {
       const Straggler<Real> ray = left.rays[at];
-      ClippedRay<Real> near{};
-      fetch(ray.number, near);
-      begin(near);
+      begin(ray.number);
       rays.nearest[lane].set(ray.nearest);
       own.walk.begin_at(grid, ray.from);
     }
@@ -158,24 +144,22 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
         own_rays = false;
       }
     } else {
-      const bool is_drained = drain.is_drained();
-      if (is_drained && numbers.are_given_out()) {
+      if (drain.is_drained()) {
         const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + rank_among(~idle, lane);
         if (!own.under_way) return report();
         left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
         return;
       }
       drain.poll(*left.progress);
-      if (numbers.may_have_more(count) && __popc(idle) >= (is_drained ? 1 : fetching)) {
-        if (!own.under_way) report();
-        ClippedRay<Real> near{};
-        unsigned wanting = idle;
-        do {
-          const std::uint32_t number = numbers.take(left.progress->next_ray, count, wanting);
-          if (!has_ray) fetch(number, near);
-          wanting = __ballot_sync(all_lanes, !has_ray);
-        } while (numbers.may_have_more(count) && __popc(wanting) * 2 > fetching);
-        if (has_ray && !own.under_way) begin(near);
+      if (more && __popc(idle) >= shared.fetches_at) {
+        const std::uint32_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
+                            number = first + rank_among(idle, lane);
+        const std::uint32_t count = shared.count;
+        more = first + static_cast<unsigned>(__popc(idle)) < count;
+        if (!own.under_way) {
+          report();
+          if (number < count) begin(shared.chosen != nullptr ? shared.chosen[number] : number);
+        }
         continue;
       }
       if (idle == all_lanes) {
