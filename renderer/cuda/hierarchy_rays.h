@@ -169,7 +169,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
           has_ray = fetch_ray<query>(scene, rays, count, first + rank_among(idle, lane), results, end, near);
         idle = __ballot_sync(all_lanes, !has_ray);
       } while (more && __popc(idle) > max_lanes_wanting);
-      if (has_ray && !under_way) begin_ray(near, own); // of all that were fetched at once
+      if (has_ray && !under_way) begin_ray(near, own); // all that were fetched, at once
       under_way = has_ray;
     }
     if (!more && __popc(~idle) <= max_rays_by_pairs) break;

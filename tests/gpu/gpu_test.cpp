@@ -241,7 +241,7 @@ TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
   }
 }
 
-// Warps take rays in advance, and some of them take long while the list comes to its end.
+// Of those between them that meet the scene some take long, until after the list has come to its end.
 TEST_P(CpuAndGpu, FindTheSameWhereMostOfAMillionRaysMiss) {
   for (const GridKind kind : {GridKind::irregular, GridKind::hierarchy}) {
     const Rendering built = build("1", kind);
