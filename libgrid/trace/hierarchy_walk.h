@@ -179,22 +179,15 @@ MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& o
 #ifdef MASU_HOST_AVX2
   if constexpr (sizeof(Real) == sizeof(float)) { // counted walks take two thirds of the time
     const auto t = [](const std::uint32_t(&planes)[2], const NodeAxis<float>& axis) {
-      const __m256i bytes = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(planes)));
-      const __m256i bits = _mm256_or_si256(_mm256_slli_epi32(bytes, 8), _mm256_set1_epi32(plane_offset_bits));
-      return _mm256_fmadd_ps(_mm256_castsi256_ps(bits), _mm256_set1_ps(axis.scale),
-                             _mm256_set1_ps(axis.start));
+      const __m256i bits =
+          _mm256_or_si256(_mm256_slli_epi32(eight_bytes(planes), 8), _mm256_set1_epi32(plane_offset_bits));
+      return fma(Floats8(_mm256_castsi256_ps(bits)), axis.scale, axis.start);
     };
-    const __m256 enters = _mm256_max_ps(_mm256_max_ps(t(near_x, x), t(near_y, y)),
-                                        _mm256_max_ps(t(near_z, z), _mm256_setzero_ps())),
-                 leaves = _mm256_min_ps(_mm256_min_ps(t(far_x, x), t(far_y, y)),
-                                        _mm256_min_ps(t(far_z, z), _mm256_set1_ps(t_max)));
+    const BoxesMet boxes =
+        boxes_met({t(near_x, x), t(near_y, y), t(near_z, z)}, {t(far_x, x), t(far_y, y), t(far_z, z)}, t_max);
     alignas(32) float enter[boxes_per_node];
-    _mm256_store_ps(enter, enters);
-    for (auto hit = static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(enters, leaves, _CMP_LE_OQ)));
-         hit != 0; hit &= hit - 1) {
-      const int slot = std::countr_zero(hit);
-      meet(slot, enter[slot]);
-    }
+    _mm256_store_ps(enter, boxes.enter);
+    each_bit(boxes.slots, [&](int slot) { meet(slot, enter[slot]); });
     return met;
   }
 #endif

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -251,10 +252,13 @@ TEST_P(CpuAndGpu, FindTheSameWhereMostOfAMillionRaysMiss) {
     std::vector<Ray<double>> rays(1'200'000, unbounded_ray(box.max + away, away));
     for (std::size_t i = 0; i < rays.size(); i += 40)
       rays[i] = crossing[i / 40 % crossing.size()];
-    const RayHits cpu = trace(Device::cpu, built, rays, {});
+    RayHits cpu = trace(Device::cpu, built, rays, {});
     for (const RayLoop loop : {RayLoop::warp, RayLoop::warp_refill}) {
       SCOPED_TRACE(static_cast<int>(loop));
       expect_same_hits(cpu.hits, trace(Device::cuda, built, rays, {.loop = loop}).hits);
+      // What a ray that is lost leaves of the hits before is another's.
+      std::ranges::reverse(rays);
+      std::ranges::reverse(cpu.hits);
     }
   }
 }
