@@ -168,7 +168,7 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   else if (state->grid && tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
                        ? automatic_loop(tracer, list, request.query, request.tracing.precision)
-                       : state->loops->of(tracer, wanted.coherent != 0);
+                       : state->loops->of(tracer, wanted.coherent != 0, count);
   if (place == host_memory) {
     on_threads_up_to(wanted.threads, [&] { tracer.trace(list, results, request); });
     return;

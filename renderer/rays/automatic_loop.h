@@ -12,6 +12,7 @@ namespace masu {
 struct WarpCosts {
   double work = 0, tests = 0;           // of the mean ray
   double most_work = 0, most_tests = 0; // of the warp's longest rays
+  std::uint64_t rays = 0;               // in the list
 };
 
 // Of 2048 rays of a list in host memory, counted where the tracer traces: well below a millisecond on a GPU.
@@ -26,17 +27,18 @@ inline RayLoop automatic_loop(const Tracer& tracer, const RayList& rays, Query q
   return automatic_loop(warp_costs(tracer, rays, query, precision), query, tracer.grid()->is_hierarchy());
 }
 
-// The loops for rays that can't be looked at, because they are in a GPU's memory: that of the scene's camera
-// rays where neighbours are said to be coherent, else that of random rays through the scene's bounds. Found
-// out when first asked for; by each of several threads that ask at once, rather than that one waits for
+// The loops for `count` rays that can't be looked at, because they are in a GPU's memory: that of the scene's
+// camera rays where neighbours are said to be coherent, else that of random rays through the scene's bounds.
+// Found out when first asked for; by each of several threads that ask at once, rather than that one waits for
 // another, which may be a task that waits for it. They all find the same.
 class UsualLoops {
 public:
-  RayLoop of(const Tracer& tracer, bool coherent);
+  RayLoop of(const Tracer& tracer, bool coherent, std::uint64_t count);
 
 private:
   static constexpr int unknown = -1;
-  std::atomic<int> coherent_ = unknown, incoherent_ = unknown;
+  // By whether neighbours are coherent, and whether there are many rays.
+  std::atomic<int> usual_[2][2] = {{unknown, unknown}, {unknown, unknown}};
 };
 
 } // namespace masu

@@ -102,10 +102,11 @@ TEST_F(AutomaticLoop, SamplesNothingBeyondTheList) {
 TEST_F(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
   for (int i = 0; i < 1000; ++i) {
     const double work = chance_.power_of_two(-2, 8), tests = work * chance_.uniform(0, 1);
+    const std::uint64_t rays = i % 2 == 0 ? 1'000'000 : 10'000'000;
     for (const Query query : {Query::nearest_hit, Query::occlusion}) {
       for (const bool is_hierarchy : {false, true}) {
         const auto loop_of = [&](double longest) {
-          return automatic_loop(WarpCosts{work, tests, longest, tests}, query, is_hierarchy);
+          return automatic_loop(WarpCosts{work, tests, longest, tests, rays}, query, is_hierarchy);
         };
         EXPECT_EQ(loop_of(work), RayLoop::thread_per_ray); // all rays alike: none waits for another
         bool refills = false;
@@ -123,6 +124,16 @@ TEST_F(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
         automatic_loop(WarpCosts{few + 10, few, 2 * few + 20, 2 * few}, Query::nearest_hit, false);
     EXPECT_EQ(shared, RayLoop::warp) << work;
   }
+}
+
+TEST_F(AutomaticLoop, RefillsForShortRaysWhereThereAreMany) {
+  const auto loop_of = [](std::uint64_t rays, double longest, bool is_hierarchy) {
+    return automatic_loop(WarpCosts{1, 0.4, longest, 1, rays}, Query::nearest_hit, is_hierarchy);
+  };
+  EXPECT_EQ(loop_of(10'000'000, 3, true), RayLoop::warp_refill);
+  EXPECT_EQ(loop_of(1'000'000, 3, true), RayLoop::thread_per_ray);
+  EXPECT_EQ(loop_of(10'000'000, 2, true), RayLoop::thread_per_ray); // alike
+  EXPECT_EQ(loop_of(10'000'000, 3, false), loop_of(1'000'000, 3, false));
 }
 
 TEST_F(AutomaticLoop, SharesTestsOfAFewAlsoWhereHardlyAnyRayWaits) {
@@ -145,7 +156,7 @@ Scene rod(const Vec3d& from, const Vec3d& at) {
 }
 
 RayLoop usual_loop(UsualLoops& loops, const Rendering& rendering, bool coherent) {
-  return loops.of(rendering.tracer(), coherent);
+  return loops.of(rendering.tracer(), coherent, 1'000'000);
 }
 
 TEST(UsualLoops, OfIncoherentRaysIsThatOfRandomRaysWhateverTheCameraSees) {
@@ -178,7 +189,7 @@ TEST(UsualLoops, MayBeAskedForByTasksWhileTheyAreFoundOut) {
         tbb::blocked_range<int>(0, 64, 1),
         [&](const tbb::blocked_range<int>& range) {
           for (int i = range.begin(); i != range.end(); ++i)
-            EXPECT_EQ(loops.of(tracer, i % 2 == 0),
+            EXPECT_EQ(loops.of(tracer, i % 2 == 0, i < 32 ? 1'000'000 : 10'000'000),
                       i % 2 == 0 ? RayLoop::thread_per_ray : RayLoop::warp_refill);
         },
         tbb::simple_partitioner());
