@@ -74,7 +74,7 @@ def draw_peers(docs):
     rows = table(docs / "performance.md", "| scene | `fastest` takes |")
     with tempfile.NamedTemporaryFile("w", suffix=".csv") as data:
         write_rows(data, ["kind", "line", "scene", *PEERS],
-                   [[kind, line, f"{row[0]} ({'hierarchy' if row[1] == '`bvh`' else 'irregular'})",
+                   [[kind, line, f"{row[0].removesuffix('-triangles')} ({'hierarchy' if row[1] == '`bvh`' else 'irregular'})",
                      *(row[column].split(", ")[i] for column in PEERS.values())]
                     for line, row in enumerate(reversed(rows), 1) for i, kind in enumerate(KINDS)])
         plot("peers", docs, data=data.name, out="peers.png")
