@@ -125,102 +125,99 @@ Error translated(const Error& error) {
   return error;
 }
 
+void add_options(const CommandLine& command, Settings& settings) {
+  command.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
+  command.add_option("SCENE", settings.scene, "scene file, from nff2bin or mesh2bin").required();
+  command.group("Output");
+  command.add_file("-o,--output", settings.output, "grid file").required();
+  command.add_flag("--record-seconds", settings.record_seconds,
+                   "write the build's seconds into the file (equal builds then differ)");
+  command.add_flag("--json", settings.json, "report as JSON");
+  command.group("Voxels");
+  command.add_option("--division", settings.division, "voxels per axis, by a division rule")
+      .type_name("RULE")
+      .shows_default();
+  command.add_choice(
+      "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
+      "what is divided: tight (the objects' bounds) or cube (the smallest about the local origin)");
+  command.add_choice(
+      "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
+      "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
+  command.group("Cells");
+  command.add_choice("--structure", settings.structure,
+                     {{"grid", StructureChoice::grid},
+                      {"bvh", StructureChoice::hierarchy},
+                      {"fastest", StructureChoice::fastest}},
+                     "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), "
+                     "fastest (whichever of both a sample of rays is expected to take the least time "
+                     "through; a grid if --merge or --division is given)");
+  command.add_choice("--quality", settings.options.grid.quality,
+                     {{"high", HierarchyQuality::high}, {"fast", HierarchyQuality::fast}},
+                     "of a hierarchy: high (primitives are divided where boxes would overlap) or fast (in a "
+                     "third of the time, also on a GPU)");
+  command.add_choice("--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
+                     "the processor that will trace: what the automatic choices (--structure fastest, "
+                     "--merge auto, --division auto) count a step and a test by");
+  command.add_choice(
+      "--merge", settings.options.grid.kind,
+      {{"auto", GridKind::automatic},
+       {"none", GridKind::uniform},
+       {"x", GridKind::x},
+       {"balance", GridKind::balance},
+       {"irregular", GridKind::irregular}},
+      "which voxels share a cell: auto (none where a division is given; else none or irregular, whichever a "
+      "sample of rays is expected to take less time through), none, x (empty ones in a run along x), balance "
+      "(as many as list --target primitives), irregular (voxels are divided further, by expected cost)");
+  command.add_number("--target", settings.options.grid.target, 1U, 1U << 20,
+                     "balance: the most references of a cell");
+  command.add_number("--nested", settings.options.grid.nested_log2, 0, 15,
+                     "irregular: each voxel is divided into at most 2^N per axis");
+  command.add_number("--step-cost", settings.options.grid.step_cost, 0.0, 1000.0,
+                     "irregular: what a step to a cell costs, in intersection tests");
+  command.add_number("--detail", settings.options.grid.detail, 0.1, 100.0,
+                     "irregular: planes no closer than a primitive's typical extent divided by this");
+  command.add_number("--alpha", settings.options.grid.alpha, 0.0, 1.0,
+                     "irregular: divide while that makes the expected cost less than alpha times what it is");
+  command.add_number("--expand", settings.options.grid.expansions, 0, 64,
+                     "irregular: rounds of expanding cells over neighbours that list nothing else");
+  command.group("General");
+  command.add_choice(
+      "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
+      "where to build; the file is the same (a hierarchy of high quality is always built on the CPU)");
+  command.add_quiet(settings.quiet, "no progress on standard error, and no report without --json");
+  settings.threads.add_to(command);
+}
+
+void run(Settings& settings) {
+  const auto limit = settings.threads.limit();
+  try {
+    BuildOptions& options = settings.options; // are checked before anything is read
+    options.division = parse_division(settings.division);
+    options.grid.kind =
+        kind_of(settings.structure, options.grid.kind, options.division, options.grid.quality);
+    check_scene_input(settings.scene);
+    check_files({settings.scene}, {settings.output});
+    const SceneFile scene(settings.scene);
+    scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);
+  } catch (const Error& error) {
+    throw translated(error);
+  }
+}
+
 } // namespace
 } // namespace masu
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool(
-      "gridbuild",
-      "Builds the voxel grid of a scene, or a bounding volume hierarchy.\n\nDivision rules, for N primitives "
-      "in a space of sides w "
-      "and volume V:\n"
-      "  N              N voxels per axis\n"
-      "  NXxNYxNZ       so many along x, y, z\n"
-      "  cube-root:D    D * cbrt(N) per axis\n"
-      "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
-      "  heterogeneous:D  D * w * cbrt(N / V) per axis\n"
-      "  cleary:L       L * N voxels of equal sides\n"
-      "  auto           by a cost model, and a sample of rays through some divisions",
-      argc, argv, [](const CommandLine& command, const auto& parse) {
-        Settings settings;
-        command.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
-        command.add_option("SCENE", settings.scene, "scene file, from nff2bin or mesh2bin").required();
-        command.group("Output");
-        command.add_file("-o,--output", settings.output, "grid file").required();
-        command.add_flag("--record-seconds", settings.record_seconds,
-                         "write the build's seconds into the file (equal builds then differ)");
-        command.add_flag("--json", settings.json, "report as JSON");
-        command.group("Voxels");
-        command.add_option("--division", settings.division, "voxels per axis, by a division rule")
-            .type_name("RULE")
-            .shows_default();
-        command.add_choice(
-            "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
-            "what is divided: tight (the objects' bounds) or cube (the smallest about the local origin)");
-        command.add_choice(
-            "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
-            "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
-        command.group("Cells");
-        command.add_choice(
-            "--structure", settings.structure,
-            {{"grid", StructureChoice::grid},
-             {"bvh", StructureChoice::hierarchy},
-             {"fastest", StructureChoice::fastest}},
-            "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest "
-            "(whichever of both a sample of rays is expected to take the least time through; a grid if "
-            "--merge or --division is given)");
-        command.add_choice("--quality", settings.options.grid.quality,
-                           {{"high", HierarchyQuality::high}, {"fast", HierarchyQuality::fast}},
-                           "of a hierarchy: high (primitives are divided where boxes would overlap) or fast "
-                           "(in a third of the time, also on a GPU)");
-        command.add_choice(
-            "--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
-            "the processor that will trace: what the automatic choices (--structure fastest, --merge auto, "
-            "--division auto) count a step and a test by");
-        command.add_choice(
-            "--merge", settings.options.grid.kind,
-            {{"auto", GridKind::automatic},
-             {"none", GridKind::uniform},
-             {"x", GridKind::x},
-             {"balance", GridKind::balance},
-             {"irregular", GridKind::irregular}},
-            "which voxels share a cell: auto (none where a division is given; else none or irregular, "
-            "whichever a sample of rays is expected to take less time through), none, x (empty ones "
-            "in a run along x), balance (as many as list "
-            "--target primitives), irregular (voxels are divided further, by expected cost)");
-        command.add_number("--target", settings.options.grid.target, 1U, 1U << 20,
-                           "balance: the most references of a cell");
-        command.add_number("--nested", settings.options.grid.nested_log2, 0, 15,
-                           "irregular: each voxel is divided into at most 2^N per axis");
-        command.add_number("--step-cost", settings.options.grid.step_cost, 0.0, 1000.0,
-                           "irregular: what a step to a cell costs, in intersection tests");
-        command.add_number("--detail", settings.options.grid.detail, 0.1, 100.0,
-                           "irregular: planes no closer than a primitive's typical extent divided by this");
-        command.add_number(
-            "--alpha", settings.options.grid.alpha, 0.0, 1.0,
-            "irregular: divide while that makes the expected cost less than alpha times what it is");
-        command.add_number("--expand", settings.options.grid.expansions, 0, 64,
-                           "irregular: rounds of expanding cells over neighbours that list nothing else");
-        command.group("General");
-        command.add_choice(
-            "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
-            "where to build; the file is the same (a hierarchy of high quality is always built on the CPU)");
-        command.add_quiet(settings.quiet, "no progress on standard error, and no report without --json");
-        settings.threads.add_to(command);
-        parse();
-        const auto limit = settings.threads.limit();
-        try {
-          BuildOptions& options = settings.options; // are checked before anything is read
-          options.division = parse_division(settings.division);
-          options.grid.kind =
-              kind_of(settings.structure, options.grid.kind, options.division, options.grid.quality);
-          check_scene_input(settings.scene);
-          check_files({settings.scene}, {settings.output});
-          const SceneFile scene(settings.scene);
-          scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);
-        } catch (const Error& error) {
-          throw translated(error);
-        }
-      });
+  return run_tool("gridbuild",
+                  "Builds the voxel grid of a scene, or a bounding volume hierarchy.\n\nDivision rules, for "
+                  "N primitives in a space of sides w and volume V:\n"
+                  "  N              N voxels per axis\n"
+                  "  NXxNYxNZ       so many along x, y, z\n"
+                  "  cube-root:D    D * cbrt(N) per axis\n"
+                  "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
+                  "  heterogeneous:D  D * w * cbrt(N / V) per axis\n"
+                  "  cleary:L       L * N voxels of equal sides\n"
+                  "  auto           by a cost model, and a sample of rays through some divisions",
+                  argc, argv, add_options, run);
 }

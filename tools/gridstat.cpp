@@ -118,136 +118,129 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
   }
 }
 
+void add_options(const CommandLine& command, Settings& settings) {
+  const Option grid = command.add_option("GRID", settings.grid, "grid file, from gridbuild");
+  command.footer("Example:\n  gridstat balls.grid --slice z=50% -o slice.png");
+  command.group("Statistics");
+  const Option json = command.add_flag("--json", settings.json, "print JSON");
+  const Option csv =
+      command
+          .add_flag("--csv", settings.csv,
+                    "print CSV: a header and one line, the same columns for every grid of cells")
+          .excludes(json);
+  const Option histogram =
+      command
+          .add_flag("--histogram", settings.histogram,
+                    "also print the number of cells by references, and of merged cells by size")
+          .excludes(csv);
+
+  command.group("Slices");
+  const Option slice = command
+                           .add_option("--slice", settings.slice,
+                                       "draw the cells or boxes that a plane cuts: AXIS=K, a layer of the "
+                                       "smallest voxels; AXIS=P%, of the space; AXIS@X, in scene units")
+                           .type_name("PLANE");
+  command.add_file("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json");
+  command.add_option("--window", settings.window, "of --slice: what to show, in scene units; default: all")
+      .type_name("LEFT,BOTTOM,RIGHT,TOP");
+  command
+      .add_option("--outline", settings.outline,
+                  "of --slice: the grid's scene file, whose cut through the plane is drawn")
+      .type_name("SCENE");
+  SliceStyle& style = settings.style;
+  command.add_choice(
+      "--color", style.color,
+      {{"references", SliceColor::references}, {"volume", SliceColor::volume}, {"depth", SliceColor::depth}},
+      "of --slice: what a cell's colour shows: its references, its volume in voxels of the division (of "
+      "grids alone), or its depth");
+  command
+      .add_option("--depth", settings.depth,
+                  "of --slice: only boxes of nodes of this depth, the root's is 0; of a grid, cells down to "
+                  "which a voxel is halved so often")
+      .range(0, max_hierarchy_depth);
+  command
+      .add_option("--color-high", style.high,
+                  "of --slice: the references or the depth that the darkest colour stands for, so that "
+                  "slices can be compared; default: the most that is shown")
+      .type_name("N")
+      .range(1, 1 << 30);
+  command.add_flag("--lines", style.lines, "of --slice: draw the cells' sides");
+  command.add_option("--title", style.title, "of --slice: instead of the grid's name and the plane");
+  command.add_number("--size", style.size, least_slice_size, most_slice_size,
+                     "of --slice: pixels of the longer side");
+
+  command.group("Cells");
+  const Option cells = command
+                           .add_file("--cells", settings.cells,
+                                     "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
+                           .excludes(slice);
+  CellExport& cell_export = settings.cell_export;
+  command.add_flag("--occupied", cell_export.occupied_only, "of --cells: only those with references");
+  command
+      .add_option("--within", settings.within,
+                  "of --cells: only those that share space with the box between two corners, in scene units")
+      .type_name("X,Y,Z,X,Y,Z")
+      .comma_separated()
+      .values(6, 6);
+  command.add_flag("--expanded", cell_export.expanded,
+                   "of --cells FILE.ply: the boxes that rays leave cells through, which may overlap");
+  command.add_flag("--wireframe", cell_export.wireframe, "of --cells FILE.ply: edges instead of faces");
+
+  command.group("Occupancy of a scene");
+  const Option occupancy =
+      command
+          .add_option(
+              "--occupancy", settings.occupancy,
+              "instead of GRID: a scene file, whose occupied voxels are counted by division and overlap test")
+          .type_name("SCENE")
+          .excludes(grid)
+          .excludes(slice)
+          .excludes(cells);
+  command.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis")
+      .type_name("LIST")
+      .comma_separated()
+      .shows_default();
+  command.add_choice("--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
+                     "of --occupancy: the objects' bounds (tight), or the smallest cube centred on the "
+                     "origin that holds them (cube)");
+  // Options of a group need what comes first in it, which goes with none of other groups.
+  for (const Option first : {slice, cells, occupancy})
+    command.group_needs(first.heading(), first);
+  for (const Option other : {json, csv, histogram}) {
+    slice.excludes(other);
+    cells.excludes(other);
+  }
+}
+
+void run(Settings& settings) {
+  const auto ends_with_one_of = [](const std::string& name, std::initializer_list<const char*> endings) {
+    return name.empty() ||
+           std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
+  };
+  if (!ends_with_one_of(settings.picture, {".png", ".svg", ".json"}))
+    throw Error(ErrorCode::usage, settings.picture,
+                "a slice is a PNG, SVG or JSON: name it .png, .svg or .json");
+  if (!ends_with_one_of(settings.cells, {".csv", ".ply"}))
+    throw Error(ErrorCode::usage, settings.cells, "cells are written as CSV or PLY: name it .csv or .ply");
+  if (settings.cells.ends_with(".csv") && (settings.cell_export.expanded || settings.cell_export.wireframe))
+    throw Error(ErrorCode::usage, settings.cell_export.expanded ? "--expanded" : "--wireframe",
+                "is for PLY: a CSV has both boxes of each cell");
+  check_files({settings.grid, settings.outline, settings.occupancy}, {settings.picture, settings.cells});
+  if (!settings.occupancy.empty()) {
+    const SceneFile scene(settings.occupancy);
+    return scene.is_float64() ? print_occupancy<double>(settings, scene)
+                              : print_occupancy<float>(settings, scene);
+  }
+  if (settings.grid.empty()) throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file");
+  inspect(settings);
+}
+
 } // namespace
 } // namespace masu
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool(
-      "gridstat", "Prints statistics of a grid or a hierarchy, draws slices of it, or exports its cells.",
-      argc, argv, [](const CommandLine& command, const auto& parse) {
-        Settings settings;
-        const Option grid = command.add_option("GRID", settings.grid, "grid file, from gridbuild");
-        command.footer("Example:\n  gridstat balls.grid --slice z=50% -o slice.png");
-        command.group("Statistics");
-        const Option json = command.add_flag("--json", settings.json, "print JSON");
-        const Option csv =
-            command
-                .add_flag("--csv", settings.csv,
-                          "print CSV: a header and one line, the same columns for every grid of cells")
-                .excludes(json);
-        const Option histogram =
-            command
-                .add_flag("--histogram", settings.histogram,
-                          "also print the number of cells by references, and of merged cells by size")
-                .excludes(csv);
-
-        command.group("Slices");
-        const Option slice =
-            command
-                .add_option("--slice", settings.slice,
-                            "draw the cells or boxes that a plane cuts: AXIS=K, a layer of the smallest "
-                            "voxels; AXIS=P%, of the space; AXIS@X, in scene units")
-                .type_name("PLANE");
-        command.add_file("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json");
-        command
-            .add_option("--window", settings.window, "of --slice: what to show, in scene units; default: all")
-            .type_name("LEFT,BOTTOM,RIGHT,TOP");
-        command
-            .add_option("--outline", settings.outline,
-                        "of --slice: the grid's scene file, whose cut through the plane is drawn")
-            .type_name("SCENE");
-        SliceStyle& style = settings.style;
-        command.add_choice(
-            "--color", style.color,
-            {{"references", SliceColor::references},
-             {"volume", SliceColor::volume},
-             {"depth", SliceColor::depth}},
-            "of --slice: what a cell's colour shows: its references, its volume in voxels of the "
-            "division (of grids alone), or its depth");
-        command
-            .add_option(
-                "--depth", settings.depth,
-                "of --slice: only boxes of nodes of this depth, the root's is 0; of a grid, cells down "
-                "to which a voxel is halved so often")
-            .range(0, max_hierarchy_depth);
-        command
-            .add_option("--color-high", style.high,
-                        "of --slice: the references or the depth that the darkest colour stands for, so that "
-                        "slices can be compared; default: the most that is shown")
-            .type_name("N")
-            .range(1, 1 << 30);
-        command.add_flag("--lines", style.lines, "of --slice: draw the cells' sides");
-        command.add_option("--title", style.title, "of --slice: instead of the grid's name and the plane");
-        command.add_number("--size", style.size, least_slice_size, most_slice_size,
-                           "of --slice: pixels of the longer side");
-
-        command.group("Cells");
-        const Option cells =
-            command
-                .add_file("--cells", settings.cells,
-                          "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
-                .excludes(slice);
-        CellExport& cell_export = settings.cell_export;
-        command.add_flag("--occupied", cell_export.occupied_only, "of --cells: only those with references");
-        command
-            .add_option(
-                "--within", settings.within,
-                "of --cells: only those that share space with the box between two corners, in scene units")
-            .type_name("X,Y,Z,X,Y,Z")
-            .comma_separated()
-            .values(6, 6);
-        command.add_flag("--expanded", cell_export.expanded,
-                         "of --cells FILE.ply: the boxes that rays leave cells through, which may overlap");
-        command.add_flag("--wireframe", cell_export.wireframe, "of --cells FILE.ply: edges instead of faces");
-
-        command.group("Occupancy of a scene");
-        const Option occupancy = command
-                                     .add_option("--occupancy", settings.occupancy,
-                                                 "instead of GRID: a scene file, whose occupied voxels "
-                                                 "are counted by division and overlap test")
-                                     .type_name("SCENE")
-                                     .excludes(grid)
-                                     .excludes(slice)
-                                     .excludes(cells);
-        command.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis")
-            .type_name("LIST")
-            .comma_separated()
-            .shows_default();
-        command.add_choice(
-            "--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
-            "of --occupancy: the objects' bounds (tight), or the smallest cube centred on the origin "
-            "that holds them (cube)");
-        // Options of a group need what comes first in it, which goes with none of other groups.
-        for (const Option first : {slice, cells, occupancy})
-          command.group_needs(first.heading(), first);
-        for (const Option other : {json, csv, histogram}) {
-          slice.excludes(other);
-          cells.excludes(other);
-        }
-        parse();
-        const auto ends_with_one_of = [](const std::string& name,
-                                         std::initializer_list<const char*> endings) {
-          return name.empty() ||
-                 std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
-        };
-        if (!ends_with_one_of(settings.picture, {".png", ".svg", ".json"}))
-          throw Error(ErrorCode::usage, settings.picture,
-                      "a slice is a PNG, SVG or JSON: name it .png, .svg or .json");
-        if (!ends_with_one_of(settings.cells, {".csv", ".ply"}))
-          throw Error(ErrorCode::usage, settings.cells,
-                      "cells are written as CSV or PLY: name it .csv or .ply");
-        if (settings.cells.ends_with(".csv") && (cell_export.expanded || cell_export.wireframe))
-          throw Error(ErrorCode::usage, cell_export.expanded ? "--expanded" : "--wireframe",
-                      "is for PLY: a CSV has both boxes of each cell");
-        check_files({settings.grid, settings.outline, settings.occupancy},
-                    {settings.picture, settings.cells});
-        if (!settings.occupancy.empty()) {
-          const SceneFile scene(settings.occupancy);
-          return scene.is_float64() ? print_occupancy<double>(settings, scene)
-                                    : print_occupancy<float>(settings, scene);
-        }
-        if (settings.grid.empty()) throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file");
-        inspect(settings);
-      });
+  return run_tool("gridstat",
+                  "Prints statistics of a grid or a hierarchy, draws slices of it, or exports its cells.",
+                  argc, argv, add_options, run);
 }

@@ -74,7 +74,16 @@ void export_file(const Settings& settings, const ViewerSettings& viewed) {
   export_page(viewer, settings.exported, progress.callback());
 }
 
-void view(const Settings& settings) {
+void run(Settings& settings) {
+  if (!settings.size.empty()) {
+    const Camera camera = resized({}, settings.size);
+    if (std::int64_t{camera.width} * camera.height > most_pixels)
+      throw Error(ErrorCode::usage, "--size", fmt::format("has more than {} pixels", most_pixels));
+    settings.exported.width = camera.width;
+    settings.exported.height = camera.height;
+  }
+  check_scene_input(settings.viewer.scene);
+  const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend, "gridview", settings.quiet);
   ViewerSettings viewed = settings.viewer;
   viewed.device = cuda ? Device::cuda : Device::cpu;
@@ -95,57 +104,46 @@ void view(const Settings& settings) {
   server.serve();
 }
 
+void add_options(const CommandLine& command, Settings& settings) {
+  command.footer("Example:\n  gridview balls.scene balls.grid");
+  command.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin").required();
+  command.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
+      .required()
+      .values(1, 16);
+  command.group("Server");
+  command
+      .add_option(
+          "--port", settings.port,
+          fmt::format("port to listen on; 0: any that is free; without it {}, or any where that is taken",
+                      usual_port))
+      .range(0, 65535);
+  command
+      .add_option("--bind", settings.address,
+                  "address to listen on; any but loopback's needs the token that is printed")
+      .type_name("ADDRESS")
+      .shows_default();
+  command.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
+  command.group("Instead of a server");
+  const Option file = command.add_file("--export", settings.exported.path,
+                                       "write the page to this .html instead of serving it: pictures around "
+                                       "the scene, channels, slices and statistics in one file");
+  command.add_number("--views", settings.exported.views, 1, 360, "of --export: how many, on a circle")
+      .needs(file);
+  command.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
+      .type_name("WxH")
+      .needs(file);
+  command.group("Tracing");
+  add_backend(command, settings.backend);
+  add_precision(command, settings.viewer.precision);
+  command.add_quiet(settings.quiet, "print the address alone");
+  settings.threads.add_to(command);
+}
+
 } // namespace
 } // namespace masu
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool(
-      "gridview", "Shows a scene and its grids as a page in the browser.", argc, argv,
-      [](const CommandLine& command, const auto& parse) {
-        Settings settings;
-        command.footer("Example:\n  gridview balls.scene balls.grid");
-        command.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin").required();
-        command.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
-            .required()
-            .values(1, 16);
-        command.group("Server");
-        command
-            .add_option("--port", settings.port,
-                        fmt::format("port to listen on; 0: any that is free; without it {}, or any where "
-                                    "that is taken",
-                                    usual_port))
-            .range(0, 65535);
-        command
-            .add_option("--bind", settings.address,
-                        "address to listen on; any but loopback's needs the token that is printed")
-            .type_name("ADDRESS")
-            .shows_default();
-        command.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
-        command.group("Instead of a server");
-        const Option file = command.add_file("--export", settings.exported.path,
-                                             "write the page to this .html instead of serving it: pictures "
-                                             "around the scene, channels, slices and statistics in one file");
-        command.add_number("--views", settings.exported.views, 1, 360, "of --export: how many, on a circle")
-            .needs(file);
-        command.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
-            .type_name("WxH")
-            .needs(file);
-        command.group("Tracing");
-        add_backend(command, settings.backend);
-        add_precision(command, settings.viewer.precision);
-        command.add_quiet(settings.quiet, "print the address alone");
-        settings.threads.add_to(command);
-        parse();
-        if (!settings.size.empty()) {
-          const Camera camera = resized({}, settings.size);
-          if (std::int64_t{camera.width} * camera.height > most_pixels)
-            throw Error(ErrorCode::usage, "--size", fmt::format("has more than {} pixels", most_pixels));
-          settings.exported.width = camera.width;
-          settings.exported.height = camera.height;
-        }
-        check_scene_input(settings.viewer.scene);
-        const auto limit = settings.threads.limit();
-        view(settings);
-      });
+  return run_tool("gridview", "Shows a scene and its grids as a page in the browser.", argc, argv,
+                  add_options, run);
 }

@@ -118,7 +118,12 @@ void write_names(const std::vector<std::string>& names, const std::string& path)
   write_text_file(path, text);
 }
 
-void run(const Settings& settings) {
+void run(Settings& settings) {
+  if (!settings.size.empty()) {
+    const Camera camera = resized({}, settings.size);
+    settings.import.width = camera.width;
+    settings.import.height = camera.height;
+  }
   if (settings.objects.empty()) settings.output.check();
   check_files({settings.input}, {settings.output.path, settings.objects});
   if (const int signal = continue_in_child(); signal != 0) throw ended_by(signal, settings);
@@ -142,45 +147,35 @@ void run(const Settings& settings) {
 // Initializers of Assimp's libraries allocate memory before main() is called.
 [[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)() = prepare_process;
 
+void add_options(const CommandLine& command, Settings& settings) {
+  command.footer("Example:\n  mesh2bin duck.glb -o duck.scene");
+  command.add_option("IN", settings.input, "mesh; the format is that of its name, or else of its content")
+      .required();
+  command.group("Mesh");
+  command.add_choice("--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
+                     "the up axis of the automatic camera; nothing is rotated");
+  command.add_flag("--smooth", settings.import.smooth,
+                   "interpolate normals: the file's, or where it has none, normals averaged over the faces "
+                   "round each vertex");
+  command.add_option("--size", settings.size, "width and height of the picture in pixels").type_name("WxH");
+  command.add_file(
+      "--objects", settings.objects,
+      "write the objects' names, one a line in the order of their numbers; - is standard output");
+  command
+      .add_option("--time-limit", settings.time_limit,
+                  "seconds of processor time that reading the mesh may take; 0: any; by default 20, and 5 "
+                  "more for each MB")
+      .range(0, 100000000);
+  settings.output.add_to(command);
+  command.add_quiet(settings.quiet, "no progress on standard error");
+  settings.threads.add_to(command);
+}
+
 } // namespace
 } // namespace masu
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool(
-      "mesh2bin", "Converts a mesh (OBJ, PLY, STL, glTF, FBX, Collada, ...) to a scene file.", argc, argv,
-      [](const CommandLine& command, const auto& parse) {
-        Settings settings;
-        command.footer("Example:\n  mesh2bin duck.glb -o duck.scene");
-        command
-            .add_option("IN", settings.input, "mesh; the format is that of its name, or else of its content")
-            .required();
-        command.group("Mesh");
-        command.add_choice("--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
-                           "the up axis of the automatic camera; nothing is rotated");
-        command.add_flag("--smooth", settings.import.smooth,
-                         "interpolate normals: the file's, or where it has none, normals averaged over "
-                         "the faces round each vertex");
-        command.add_option("--size", settings.size, "width and height of the picture in pixels")
-            .type_name("WxH");
-        command.add_file(
-            "--objects", settings.objects,
-            "write the objects' names, one a line in the order of their numbers; - is standard output");
-        command
-            .add_option(
-                "--time-limit", settings.time_limit,
-                "seconds of processor time that reading the mesh may take; 0: any; by default 20, and 5 "
-                "more for each MB")
-            .range(0, 100000000);
-        settings.output.add_to(command);
-        command.add_quiet(settings.quiet, "no progress on standard error");
-        settings.threads.add_to(command);
-        parse();
-        if (!settings.size.empty()) {
-          const Camera camera = resized({}, settings.size);
-          settings.import.width = camera.width;
-          settings.import.height = camera.height;
-        }
-        run(settings);
-      });
+  return run_tool("mesh2bin", "Converts a mesh (OBJ, PLY, STL, glTF, FBX, Collada, ...) to a scene file.",
+                  argc, argv, add_options, run);
 }

@@ -65,32 +65,26 @@ void run(const Settings& settings) {
   print_report(SceneFile(settings.input), settings.output.json);
 }
 
+void add_options(const CommandLine& command, Settings& settings) {
+  command.footer("Example:\n  nff2bin balls.nff -o balls.scene");
+  command.add_option("IN", settings.input, "NFF file, or - for standard input; with --info also a scene file")
+      .required();
+  settings.output.add_to(command);
+  command
+      .add_option("--tessellate", settings.facets,
+                  "replace spheres and cones by triangles, N facets around: 2N triangles per cone (N if "
+                  "pointed), 12(N/4)^2 per sphere; the SPD uses 12")
+      .check(check_facets, fmt::format("{}..{}", min_facets, max_facets))
+      .type_name("N");
+  command.add_quiet(settings.quiet, "no progress on standard error");
+  settings.threads.add_to(command);
+}
+
 } // namespace
 } // namespace masu
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool(
-      "nff2bin", "Converts NFF text to a scene file, and reports the content of either.", argc, argv,
-      [](const CommandLine& command, const auto& parse) {
-        Settings settings;
-        command.footer("Example:\n  nff2bin balls.nff -o balls.scene");
-        command
-            .add_option("IN", settings.input,
-                        "NFF file, or - for standard input; with --info also a scene file")
-            .required();
-        settings.output.add_to(command);
-        command
-            .add_option(
-                "--tessellate", settings.facets,
-                "replace spheres and cones by triangles, N facets around: 2N triangles per cone (N if "
-                "pointed), "
-                "12(N/4)^2 per sphere; the SPD uses 12")
-            .check(check_facets, fmt::format("{}..{}", min_facets, max_facets))
-            .type_name("N");
-        command.add_quiet(settings.quiet, "no progress on standard error");
-        settings.threads.add_to(command);
-        parse();
-        run(settings);
-      });
+  return run_tool("nff2bin", "Converts NFF text to a scene file, and reports the content of either.", argc,
+                  argv, add_options, run);
 }

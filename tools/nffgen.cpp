@@ -29,7 +29,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_quiet(settings.quiet, "no progress on standard error");
 }
 
-void write(const Settings& settings) {
+void run(const Settings& settings) {
   const SpdInfo& info = spd_info(settings.scene);
   const int size = settings.size.value_or(info.standard);
   check_spd_size(info.scene, size); // before a file is opened
@@ -45,10 +45,5 @@ void write(const Settings& settings) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool("nffgen", "Writes a scene of the Standard Procedural Databases (SPD) as NFF text.", argc,
-                  argv, [](const CommandLine& command, const auto& parse) {
-                    Settings settings;
-                    add_options(command, settings);
-                    parse();
-                    write(settings);
-                  });
+                  argv, add_options, run);
 }

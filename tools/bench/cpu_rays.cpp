@@ -239,6 +239,26 @@ std::vector<char*> with_interleaving(int argc, char** argv) {
   return all;
 }
 
+void add_options(const CommandLine& command, Settings& settings) {
+  command.add_option("SCENE", settings.scene, "scene file of triangles, from nff2bin").required();
+  command.add_option("GRID", settings.grids, "grid files, from gridbuild").required();
+  command.add_option("--sets", settings.sets, "sets of rays: primary, diffuse, random")
+      .comma_separated()
+      .among(std::set<std::string>{"primary", "diffuse", "random"});
+  command.add_option("--size", settings.size, "number of primary rays, WxH").shows_default();
+  command.add_option("--random", settings.random, "number of random rays")
+      .range(std::size_t{1}, std::size_t{1} << 28)
+      .shows_default();
+  command.add_option("--seed", settings.seed, "seed of diffuse and random rays").shows_default();
+  command.add_option("--threads", settings.threads, "numbers of threads; 0: all cores")
+      .comma_separated()
+      .range(0, 4096);
+  command.add_option("--repeat", settings.repeat, "timed runs, of which the median counts")
+      .range(1, 1000)
+      .shows_default();
+  command.footer("--benchmark_… options are Google Benchmark's.");
+}
+
 } // namespace
 } // namespace masu
 
@@ -247,28 +267,6 @@ int main(int argc, char** argv) {
   std::vector<char*> arguments = with_interleaving(argc, argv);
   int count = argc + 1;
   benchmark::Initialize(&count, arguments.data()); // removes its own
-  return run_tool(
-      "masu_cpu_rays", "Closest hits on the CPU: Masu beside Embree, by the same rays.", count,
-      arguments.data(), [](const CommandLine& command, const auto& parse) {
-        Settings settings;
-        command.add_option("SCENE", settings.scene, "scene file of triangles, from nff2bin").required();
-        command.add_option("GRID", settings.grids, "grid files, from gridbuild").required();
-        command.add_option("--sets", settings.sets, "sets of rays: primary, diffuse, random")
-            .comma_separated()
-            .among(std::set<std::string>{"primary", "diffuse", "random"});
-        command.add_option("--size", settings.size, "number of primary rays, WxH").shows_default();
-        command.add_option("--random", settings.random, "number of random rays")
-            .range(std::size_t{1}, std::size_t{1} << 28)
-            .shows_default();
-        command.add_option("--seed", settings.seed, "seed of diffuse and random rays").shows_default();
-        command.add_option("--threads", settings.threads, "numbers of threads; 0: all cores")
-            .comma_separated()
-            .range(0, 4096);
-        command.add_option("--repeat", settings.repeat, "timed runs, of which the median counts")
-            .range(1, 1000)
-            .shows_default();
-        command.footer("--benchmark_… options are Google Benchmark's.");
-        parse();
-        bench_cpu_rays(settings);
-      });
+  return run_tool("masu_cpu_rays", "Closest hits on the CPU: Masu beside Embree, by the same rays.", count,
+                  arguments.data(), add_options, bench_cpu_rays);
 }

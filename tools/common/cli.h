@@ -36,6 +36,17 @@ struct Printing {
 // A tool's main. Returns the exit code of libscene/base/error.h; 0 for --help.
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
              const Printing& prints = {});
+// The same by add_options(command, settings), and then run(settings).
+template <class Settings, class Run>
+int run_tool(const char* name, const char* description, int argc, char** argv,
+             void (*add_options)(const CommandLine&, Settings&), const Run& run) {
+  return run_tool(name, description, argc, argv, [&](const CommandLine& command, const auto& parse) {
+    Settings settings;
+    add_options(command, settings);
+    parse();
+    run(settings);
+  });
+}
 
 // The camera with the pixels of --size WxH; unchanged where `size` is empty. Throws Error(usage).
 Camera resized(Camera camera, const std::string& size);
