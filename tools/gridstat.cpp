@@ -212,7 +212,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   }
 }
 
-void run(Settings& settings) {
+void run(const Settings& settings) {
   const auto ends_with_one_of = [](const std::string& name, std::initializer_list<const char*> endings) {
     return name.empty() ||
            std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
