@@ -118,10 +118,12 @@ RayLoop UsualLoops::of(const Tracer& tracer, bool coherent, std::uint64_t count)
   const std::vector<Ray<double>> rays =
       coherent ? camera_sample(tracer.scene()) : random_sample(tracer.scene());
   WarpCosts costs = warp_costs(tracer, relative(rays), Query::nearest_hit, Precision::automatic);
-  costs.rays = count;
-  const RayLoop loop = automatic_loop(costs, Query::nearest_hit, tracer.grid()->is_hierarchy());
-  usual = static_cast<int>(loop);
-  return loop;
+  for (const bool many : {false, true}) { // both by one sample
+    costs.rays = many ? many_rays : 0;
+    usual_[coherent][many] =
+        static_cast<int>(automatic_loop(costs, Query::nearest_hit, tracer.grid()->is_hierarchy()));
+  }
+  return static_cast<RayLoop>(usual.load());
 }
 
 } // namespace masu
