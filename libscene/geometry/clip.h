@@ -43,7 +43,7 @@ MASU_HD inline Real first_reaching(Real t, Real skipped) {
   // is looked for is at most two numbers away.
   const Real half_gap = (t - next_below(t)) / 2;
   Real x = next_below(next_below(max((t - skipped) - half_gap, Real(0))));
-  while (!(x + skipped >= t))
+  for (int steps = 0; steps < 5 && x + skipped < t; ++steps)
     x = next_above(x);
   return x;
 }
