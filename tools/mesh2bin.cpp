@@ -105,6 +105,11 @@ void print_notes(const ImportNotes& notes, const std::string& input) {
   };
   warn(notes.points_and_lines, "point(s) and line(s) left out");
   warn(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
+  if (notes.float32_error > 0)
+    print_note(
+        "mesh2bin: {}: warning: Assimp reads this format in float32: coordinates are off by up to {:.2g}; "
+        "convert it to PLY or OBJ, which are read with all digits\n",
+        printable(input), notes.float32_error);
   warn(notes.unknown_lines, "line(s) left out that are no polygons, groups or materials of an OBJ");
   warn(notes.missing_libraries, "material file(s) not found: what they describe is grey");
   warn(notes.trailing_bytes, "byte(s) after the last face left out");

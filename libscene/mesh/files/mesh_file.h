@@ -30,7 +30,8 @@ struct ImportNotes {
   std::uint64_t omitted_lights = 0;     // ambient ones, and those without a position or direction
   std::uint64_t unknown_lines = 0;      // of an OBJ, left out: curves and surfaces, words that aren't of it
   std::uint64_t missing_libraries = 0;  // files of materials that an OBJ names
-  std::uint64_t trailing_bytes = 0;     // after the last face that a binary file promises
+  double float32_error = 0; // of Assimp's coordinates, where it is more than 1e-5 of the scene's extent
+  std::uint64_t trailing_bytes = 0;            // after the last face that a binary file promises
   bool has_camera = false, has_lights = false; // false: automatic
 };
 

@@ -2,6 +2,7 @@
 
 #include "libscene/base/error.h"
 #include "libscene/file/input_file.h"
+#include "libscene/file/scene_file.h"
 #include "libscene/mesh/files/text_lines.h"
 #include "libscene/mesh/import/gltf_extensions.h"
 #include "libscene/mesh/import/import_material.h"
@@ -130,6 +131,13 @@ MeshFile mesh_file_of(const aiScene& file, const std::string& name, bool smooth)
   return result;
 }
 
+// By how much coordinates in that box were rounded to float32, where that is more than 1e-5 of its extent.
+double float32_error(const Boxd& box) {
+  const double error =
+      std::max(largest_magnitude(box.min), largest_magnitude(box.max)) * RealTraits<float>::unit_roundoff;
+  return error > 1e-5 * largest_magnitude(box.max - box.min) ? error : 0;
+}
+
 // --- Reading through Assimp ------------------------------------------------------------------------------
 
 // Without any of Assimp's processing steps: it would triangulate, join and reorder differently.
@@ -202,6 +210,8 @@ ImportedScene imported_by(const std::string& name, const ImportOptions& options,
   if (options.parsed) options.parsed();
   if (file == nullptr) fail(importer, opens_others, name);
   ImportedScene result = scene_of(mesh_file_of(*file, name, options.smooth), name, options);
+  // A glTF file has no more digits itself.
+  if (!import::is_format(*file, "glTF")) result.notes.float32_error = float32_error(bounds(result.scene));
   import::import_view(*file, options, result);
   return result;
 }
