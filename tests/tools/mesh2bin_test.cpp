@@ -118,6 +118,18 @@ TEST_F(Mesh2bin, KeepsATownsDigits) {
   }
 }
 
+// Of a format without a reader of our own.
+TEST_F(Mesh2bin, WarnsWhereFloat32IsTooCoarse) {
+  const std::string far_away = mesh("a.raw", "5400000 0 0 5400001 0 0 5400000 1 0\n"),
+                    near = mesh("b.raw", "54 0 0 55 0 0 54 1 0\n");
+  EXPECT_EQ(run("mesh2bin", {far_away, "-o", file("a.scene")}).err,
+            "mesh2bin: " + far_away +
+                ": warning: Assimp reads this format in float32: coordinates are off by up to 0.32; convert "
+                "it to PLY "
+                "or OBJ, which are read with all digits\n");
+  EXPECT_EQ(run("mesh2bin", {near, "-o", file("b.scene")}).err, "");
+}
+
 // --- Numbers of faces -------------------------------------------------------------------------------------
 
 // Two faces side by side in each of two objects, seen from above; before, between and after them faces
