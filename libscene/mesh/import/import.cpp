@@ -180,13 +180,13 @@ private:
 };
 
 // Assimp's message as one line: its beginning, for it may repeat what was read. Of other files that the mesh
-// names nothing is repeated: those may be anybody's.
+// names nothing is repeated: those may be anybody's. (glTF's have numbers alone, which no message has.)
 [[noreturn]] void fail(const Assimp::Importer& importer, bool opens_others, const std::string& name) {
   constexpr std::size_t longest = 200;
   std::string message = importer.GetErrorString();
   if (message == "std::bad_alloc")
     message = "reading it needs more memory than it may take: repair or split the file";
-  else if (opens_others)
+  else if (opens_others && !name.ends_with(".gltf"))
     message = "can't be read, or a file that it names can't: repair them";
   for (char& c : message)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
