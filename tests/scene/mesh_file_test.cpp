@@ -283,6 +283,15 @@ TEST_F(MeshFiles, ObjMaterialsAreThoseOfItsFile) {
   EXPECT_EQ(missing("m.mtl"), 0U);
   EXPECT_EQ(missing("x.mtl m.mtl"), 1U);
   EXPECT_EQ(missing("x.mtl"), 1U);
+  // The file of the mesh's name, where there is none of those that it names.
+  const auto beside = [&](const std::string& other) {
+    return other == "t.mtl" ? std::optional(library) : std::nullopt;
+  };
+  const std::string path = "a/t.obj",
+                    glass = "mtllib x.mtl\n" + std::string(triangle_obj) + "usemtl glass\nf 1 2 3\n";
+  const MeshFile found = parse_mesh_file({glass, path, beside}, MeshFormat::obj);
+  EXPECT_EQ(found.notes.missing_libraries, 0U);
+  EXPECT_EQ(viewed_scene_of(found, name, {}).scene.materials.at(0).refraction_index, 1.5F);
 }
 
 TEST_F(MeshFiles, VerticesWithoutAColorHaveTheMaterials) {
