@@ -34,8 +34,8 @@ int status_of(pid_t child, const sigset_t& awaited) {
   }
 }
 
-// Lines for standard error, held back in memory; -1 where a person reads along, there is no memory, or a limit
-// of files, which it counts as, leaves no room for them.
+// Lines for standard error, held back in memory; -1 where a person reads along, there is no memory, or a
+// limit of files, which it counts as, leaves no room for them.
 int open_lines() {
   constexpr rlim_t enough = 1 << 20;
   rlimit limit{};

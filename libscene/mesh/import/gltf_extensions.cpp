@@ -36,7 +36,8 @@ constexpr std::array understood{"KHR_lights_punctual",
 
 void check_gltf_extensions(std::string_view file, const std::string& name) {
   const std::string_view text = json_of(file);
-  if (!text.substr(std::min(text.find_first_not_of(" \t\r\n\xef\xbb\xbf"), text.size())).starts_with('{')) return;
+  if (!text.substr(std::min(text.find_first_not_of(" \t\r\n\xef\xbb\xbf"), text.size())).starts_with('{'))
+    return;
   constexpr const char* required = "extensionsRequired";
   using Json = nlohmann::json;
   // Nothing else is kept: there may be meshes in it.
