@@ -59,7 +59,7 @@ if [ "${1:-}" = --full ]; then
   rm -rf build/fuzz/seeds
   tests/fuzz/seeds.sh build/bin build/fuzz/seeds
   # Without mesh_fuzz: the first that it finds are Assimp's own faults.
-  for target in nff scene grid trace list library; do
+  for target in nff scene grid trace list library mesh_file; do
     dictionary=tests/fuzz/$target.dict
     "build/fuzz/bin/${target}_fuzz" -max_total_time=20 -rss_limit_mb=4096 -verbosity=0 -print_final_stats=0 \
       $([ ! -f $dictionary ] || echo -dict=$dictionary) build/fuzz/seeds/${target}_fuzz

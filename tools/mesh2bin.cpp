@@ -1,4 +1,4 @@
-// mesh2bin: converts meshes of any format that Assimp reads to a scene file.
+// mesh2bin: converts a mesh to a scene file.
 #include "libscene/base/available_memory.h"
 #include "libscene/file/output_file.h"
 #include "libscene/mesh/import/import.h"
@@ -105,6 +105,14 @@ void print_notes(const ImportNotes& notes, const std::string& input) {
   };
   warn(notes.points_and_lines, "point(s) and line(s) left out");
   warn(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
+  if (notes.float32_error > 0)
+    print_note(
+        "mesh2bin: {}: warning: Assimp reads this format in float32: coordinates are off by up to {:.2g}; "
+        "convert it to PLY or OBJ, which are read with all digits\n",
+        printable(input), notes.float32_error);
+  warn(notes.unknown_lines, "line(s) left out that are no polygons, groups or materials of an OBJ");
+  warn(notes.missing_libraries, "material file(s) not found: what they describe is grey");
+  warn(notes.trailing_bytes, "byte(s) after the last face left out");
   warn(notes.textured_materials, "material(s) have textures, which are ignored: only base colours are used");
   warn(notes.omitted_cameras, "camera(s) left out: only the first is used, if it is a perspective camera");
   warn(notes.omitted_lights, "light(s) left out: not point, spot, area or directional lights");

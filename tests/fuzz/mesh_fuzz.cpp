@@ -1,5 +1,5 @@
-// libFuzzer target: any bytes as a mesh throw Error, or become a scene. The first byte selects the format.
-// Assimp's own faults end it, too, which mesh2bin reports as an invalid file.
+// libFuzzer target: any bytes as a mesh that Assimp reads throw Error, or become a scene. The first byte
+// selects the format. Assimp's own faults end it, too, which mesh2bin reports as an invalid file.
 #include "libscene/base/error.h"
 #include "libscene/mesh/import/import.h"
 
@@ -14,7 +14,7 @@ extern "C" const char* __lsan_default_suppressions() { // NOLINT(bugprone-reserv
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  constexpr std::array formats{"ply", "obj", "stl", "gltf", "glb", "off"};
+  constexpr std::array formats{"gltf", "glb", "dae", "3ds", "ase", "raw"};
   try {
     masu::parse_mesh({data + 1, size - 1}, formats[data[0] / 2 % formats.size()], "fuzz",
                      {.smooth = data[0] % 2 != 0});

@@ -6,11 +6,12 @@ set -euo pipefail
 bin=$(realpath "$1") seeds=$(realpath "$2") seconds=$3 jobs=${4:-$(nproc)} here=$(realpath "$(dirname "$0")")
 mkdir -p "${5:-fuzz_out}" && cd "${5:-fuzz_out}" && mkdir -p logs found
 [ ! -d "$bin/lib" ] || export LD_LIBRARY_PATH=$bin/lib
-# Cores, of 32; and inputs of a few times a seed's length. Choosing the library's calls by entropy takes longer than
+# Cores, of 37; and inputs of a few times a seed's length. Choosing the library's calls by entropy takes longer than
 # they do.
-declare -A share=([nff]=6 [scene]=5 [grid]=5 [trace]=5 [list]=5 [library]=5 [mesh]=1)
+declare -A share=([nff]=6 [scene]=5 [grid]=5 [trace]=5 [list]=5 [library]=5 [mesh_file]=5 [mesh]=1)
 declare -A options=([nff]=-max_len=4096 [scene]=-max_len=8192 [grid]=-max_len=20480 [trace]=-max_len=20480
-  [list]=-max_len=1024 [library]="-max_len=1024 -entropic=0" [mesh]=-max_len=4096)
+  [list]=-max_len=1024 [library]="-max_len=1024 -entropic=0" [mesh_file]=-max_len=2048
+  [mesh]=-max_len=4096)
 # Leaks can't be searched for where processes may not be traced.
 "$bin/nff_fuzz" -runs=1 -artifact_prefix=logs/ > logs/leaks.log 2>&1 || export ASAN_OPTIONS=detect_leaks=0
 
@@ -26,7 +27,7 @@ work() {
 }
 
 targets=()
-for target in nff scene grid trace list library mesh; do
+for target in nff scene grid trace list library mesh_file mesh; do
   [ ! -x "$bin/${target}_fuzz" ] || targets+=("$target")
 done
 all=0

@@ -4,7 +4,7 @@
 set -euo pipefail
 bin=$(realpath "$1") here=$(realpath "$(dirname "$0")")
 mkdir -p "$2" && cd "$2"
-mkdir -p nff_fuzz scene_fuzz grid_fuzz trace_fuzz mesh_fuzz list_fuzz library_fuzz
+mkdir -p nff_fuzz scene_fuzz grid_fuzz trace_fuzz mesh_fuzz mesh_file_fuzz list_fuzz library_fuzz
 prefixed() { printf '%b' "$1"; cat; } # a byte that selects something, and the text
 
 for scene in balls gears mount nurbs rings teapot tetra tree; do
@@ -59,10 +59,28 @@ printf '\001{"name": "a", "from": [0, -5, 1], "at": [0, 0, 0.5], "up": [0, 0, 1]
   > list_fuzz/views
 printf "%b{'descr': '<f4', 'fortran_order': False, 'shape': (100, 6), }" '\000' > list_fuzz/npy
 printf '\043# ox,oy,oz,tmin,dx,dy,dz,tmax\n1,2,3,0,4,5e-1,-6,inf\r\n\n.5,1e-400,3, 0 ,0.1,5,6,7' > list_fuzz/rays
-printf '\001ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' \
-  > mesh_fuzz/ply
-printf '\002v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n' > mesh_fuzz/obj
-printf '\012OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' > mesh_fuzz/off
+printf '\000{"asset":{"version":"2.0"},"extensionsRequired":["KHR_lights_punctual"],"scenes":[{"nodes":[0]}],"nodes":[{}]}' \
+  > mesh_fuzz/gltf
+printf '\012 0 0 0 1 0 0 0 1 0\n' > mesh_fuzz/raw
+# The first byte of mesh_file_fuzz: 0 for OBJ, 2 for PLY, 4 for OFF, 6 for STL; 1 more for smooth normals.
+vertices=$(printf 'v %s\n' '0 0 0' '1 0 .5 1 0 0' '1 1 0' '0 1 0 1')
+printf '\001mtllib m\nnewmtl m\nKd 1 0 0\nKs 1 1 1\nNs 9\nNi 1.5\nd 0.5\nillum 4\nmap_Kd a\n%s\nvn 0 0 1\nusemtl m\nf 1//1 2//1 3//1\no b\nf -4/1 -3 -2/1/ \\\n -1 # x\nl 1 2\n' \
+  "$vertices" > mesh_file_fuzz/obj
+ply_header() { # format, type of coordinates, another property
+  printf 'ply\nformat %s 1.0\nelement vertex 3\n' "$1"
+  printf "property $2 %s\n" x y z "$3"
+  printf 'element edge 1\nproperty int a\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n'
+}
+zeros() { head -c "$1" /dev/zero; }
+{ printf '\002'; ply_header ascii double red; printf '0 0 0 1\n1 0 0 1\n0 1 0 1\n7\n3 0 1 2\n'; } > mesh_file_fuzz/ply
+{ printf '\003'; ply_header binary_little_endian float nx; zeros 52; printf '\003\0\0\0\0\001\0\0\0\002\0\0\0'; } \
+  > mesh_file_fuzz/ply-little
+{ printf '\002'; ply_header binary_big_endian double w; zeros 100; printf '\003\0\0\0\0\0\0\0\001\0\0\0\002'; } > mesh_file_fuzz/ply-big
+printf '\004OFF\n3 1 0 # counts\n0 0 0\n# a comment\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n' > mesh_file_fuzz/off
+printf '\005STCN4OFF 3 1\n0 0 0 1 0 0 1 9 9 9\n1 0 0 1 0 0 1 9 9 9\n0 1 0 1 0 0 1 9 9 9\n3 0 1 2\n' > mesh_file_fuzz/off-all
+facet='facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n'
+printf '\006solid a b\n%bendsolid\nSOLID\n%bENDSOLID\n' "$facet" "$facet" > mesh_file_fuzz/stl
+{ printf '\006solid COLOR=abcd'; zeros 64; printf '\001\0\0\0'; zeros 48; printf '\001\200'; } > mesh_file_fuzz/stl-binary
 for seed in 1 2 3 4 5 6 7 8; do
   python3 -c "import random; random.seed($seed); print(end=''.join(map(chr, ([0] + [random.randrange(256) for _ in range(150)] + [1] + [random.randrange(256) for _ in range(12)] + [2, 0] + [6] + [random.randrange(256) for _ in range(120)]))))" |
     iconv -f utf-8 -t latin1 > library_fuzz/$seed

@@ -1,5 +1,4 @@
-// Meshes read through Assimp: the same triangles as from NFF, transforms, materials, cameras, lights,
-// normals.
+// Meshes of any format: the same triangles as from NFF, transforms, materials, cameras, lights, normals.
 #include "libscene/file/scene_file.h"
 #include "libscene/mesh/import/import.h"
 #include "libscene/nff/nff.h"
@@ -449,30 +448,50 @@ TEST_F(Import, TheAutomaticCameraFramesTheSceneWithItsUpAxis) {
 // --- Invalid files --------------------------------------------------------------------------------------
 
 TEST_F(Import, InvalidFilesAreRefusedInOneLine) {
-  const auto refused = [](const std::string& text, const std::string& extension,
+  const auto refused = [](const std::string& text, const std::string& extension, const std::string& place,
                           const std::string& says = "") {
-    return is_refused([&](const std::string&) { parse(text, extension); }, "t", says);
+    return is_refused([&](const std::string&) { parse(text, extension); }, place, says);
   };
-  EXPECT_TRUE(refused("", "ply"));
-  EXPECT_TRUE(refused("no mesh at all", "obj"));
-  EXPECT_TRUE(refused("v 0 0 0\nv 1 1 1\nl 1 2\n# and nothing else\n", "obj", "no face"));
+  EXPECT_TRUE(refused("", "ply", "t:1"));
+  EXPECT_TRUE(refused("no mesh at all", "obj", "t", "no face"));
+  EXPECT_TRUE(refused("v 0 0 0\nv 1 1 1\nl 1 2\n# and nothing else\n", "obj", "t", "no face"));
   EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                       "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                       "0 0 0\n3 0 1 2\n",
-                      "ply"));
-  EXPECT_TRUE(
-      refused("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-              "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-              "0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n",
-              "ply", "strips"));
-  EXPECT_TRUE(
-      refused(glb_of(one_triangle, R"({"children":[1]},{"mesh":0,"children":[0]})"), "glb", "recursive"));
-  // Assimp never ends on these headers.
-  EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement vertex 82\npropert", "ply", "end_header"));
-  EXPECT_TRUE(refused("PLY\r\nformat ascii 1.0\r\nproperty list\r\nend_header\r\n", "ply", "line 3"));
-  const std::string stl = stl_of(one_triangle);
-  EXPECT_TRUE(refused(stl.substr(0, stl.size() - 1), "stl"));
+                      "ply", "t:11", "vertex 1 of 1"));
+  EXPECT_TRUE(refused(glb_of(one_triangle, R"({"children":[1]},{"mesh":0,"children":[0]})"), "glb", "t",
+                      "recursive"));
+  EXPECT_TRUE(refused("v 0 0 0\nv 1 1 x\n", "", "t:2")); // of no name: by the content
   EXPECT_TRUE(is_refused([](const std::string& path) { read_mesh(path); }, "/nonexistent/a.ply", "opened"));
+  EXPECT_TRUE(is_refused([](const std::string& path) { read_mesh(path); }, "/nonexistent/a.glb", "opened"));
+}
+
+// Of a glTF file what it requires must be understood: Assimp reads on.
+TEST_F(Import, UnknownExtensionsThatAreRequiredAreRefused) {
+  const auto requires_extension = [](const std::string& extension) {
+    return glb_of(one_triangle, R"({"mesh":0})", R"(,"extensionsRequired":[")" + extension + "\"]");
+  };
+  const std::string json = R"({"asset":{"version":"2.0","extensionsRequired":["A_b"]},"extensionsRequired":)";
+  for (const std::string extension : {"KHR_mesh_quantization", "KHR_draco_mesh_compression", "A_b"}) {
+    EXPECT_TRUE(
+        is_refused([&](const std::string&) { parse(requires_extension(extension), "glb"); }, "t", extension));
+    EXPECT_TRUE(is_refused([&](const std::string&) { parse(json + "[\"" + extension + "\"]}", "gltf"); }, "t",
+                           extension));
+  }
+  EXPECT_TRUE(
+      is_refused([&](const std::string&) { parse(requires_extension("KHR_mesh_quantization"), "glb"); }, "t",
+                 "gltfpack -noq"));
+  EXPECT_EQ(parse(requires_extension("KHR_lights_punctual"), "glb").scene.triangles.size(), 1U);
+  // What is merely used may lack.
+  const std::string used = R"(,"extensionsUsed":["A_b"],"extras":{"extensionsRequired":["A_b"]})";
+  EXPECT_EQ(parse(glb_of(one_triangle, R"({"mesh":0})", used), "glb").scene.triangles.size(), 1U);
+  const std::string long_name(1 << 20, 'x');
+  try {
+    parse(requires_extension(long_name), "glb");
+    ADD_FAILURE() << "was taken";
+  } catch (const Error& error) {
+    EXPECT_LT(error.text().size(), 300U);
+  }
 }
 
 TEST_F(Import, MoreTrianglesThanAreAllowedAreRefused) {

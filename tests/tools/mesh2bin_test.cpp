@@ -35,6 +35,46 @@ TEST_F(Mesh2bin, WarnsOfWhatItLeavesOut) {
   EXPECT_EQ(result.err, "mesh2bin: " + obj + ": warning: 1 point(s) and line(s) left out\n");
 }
 
+TEST_F(Mesh2bin, WarnsOfWhatItPassesOver) {
+  const std::string obj = mesh("a.obj", "mtllib none.mtl\n" + std::string(polygons_obj) + "surf 1\n");
+  EXPECT_EQ(run("mesh2bin", {obj, "-o", file("a.scene")}).err,
+            "mesh2bin: " + obj +
+                ": warning: 1 line(s) left out that are no polygons, groups or materials of an OBJ\n" +
+                "mesh2bin: " + obj + ": warning: 1 material file(s) not found: what they describe is grey\n");
+  std::string facet(84 + 50, '\0');
+  facet[80] = 1;
+  facet[84 + 27] = facet[84 + 43] = 1; // parts of two coordinates
+  facet[84 + 26] = facet[84 + 42] = 1;
+  const std::string stl = mesh("a.stl", facet + "\n");
+  EXPECT_NE(run("mesh2bin", {stl, "-o", file("a.scene")}).err.find("1 byte(s) after the last face"),
+            std::string::npos);
+}
+
+TEST_F(Mesh2bin, RepeatsLittleOfWhatItReadsAndNothingOfOtherFiles) {
+  const std::string secret = "password";
+  mesh("a.mtl", "newmtl m\nKd " + secret + "\n");
+  const std::string obj = mesh("a.obj", "mtllib a.mtl\n" + std::string(polygons_obj));
+  const ToolResult refused = run("mesh2bin", {obj, "-o", file("a.scene")});
+  EXPECT_TRUE(failed(refused, 2, "mesh2bin", "a.mtl:2"));
+  EXPECT_EQ(refused.err.find(secret), std::string::npos) << refused.err;
+  const std::string line(1 << 20, 'y');
+  for (const std::string& path :
+       {mesh("b.gltf", R"({"asset":{"version":")" + line + "\"}}"), mesh("b.stl", "solid\n" + line)}) {
+    const ToolResult result = run("mesh2bin", {path, "-o", file("a.scene")});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_LT(result.err.size(), path.size() + 300) << result.err.substr(0, 400);
+  }
+}
+
+// Its lines count as a file where they are held back.
+TEST_F(Mesh2bin, EndsWithALineWhereNoFileMayBeWritten) {
+  const std::string obj = mesh("a.obj", "v 0 0 x\n");
+  const ToolResult result =
+      run("/bin/sh", {"-c", "(ulimit -f 0; \"$0\" \"$@\" 2>&1) | cat",
+                      std::string(MASU_BIN_DIR) + "/mesh2bin", obj, "-o", file("a.scene")});
+  EXPECT_EQ(result.out, "mesh2bin: " + obj + ":1: 'x' where a coordinate is expected: correct it\n");
+}
+
 TEST_F(Mesh2bin, ReportsAndNamesTheObjects) {
   const std::string obj = mesh("a.obj", "o first\n" + std::string(polygons_obj) + "o second\nf 1 2 3\n");
   const ToolResult info = run("mesh2bin", {obj, "-o", file("a.scene"), "--info", "--objects", file("names")});
@@ -51,6 +91,43 @@ TEST_F(Mesh2bin, RefusesWhatAssimpCantReadWithItsMessage) {
   EXPECT_TRUE(fails(1, "mesh2bin", {text, "-o", text}, text, "input"));
   EXPECT_TRUE(fails(1, "mesh2bin", {text, "-o", file("a.scene"), "--size", "0x3"}, "--size"));
   EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.text"});
+}
+
+// --- Digits ---------------------------------------------------------------------------------------------
+
+// Squares of 0.3 at the place of a town in UTM coordinates.
+TEST_F(Mesh2bin, KeepsATownsDigits) {
+  std::string text;
+  for (int j = 0; j <= 20; ++j)
+    for (int i = 0; i <= 20; ++i)
+      text +=
+          fmt::format("v {:.1f} {:.1f} {:.1f}\n", 500000 + 0.3 * i, 5400000 + 0.3 * j, 200 + 0.1 * (i % 3));
+  for (int j = 0; j < 20; ++j)
+    for (int i = 0; i < 20; ++i)
+      text +=
+          fmt::format("f {} {} {} {}\n", 21 * j + i + 1, 21 * j + i + 2, 21 * j + i + 23, 21 * j + i + 22);
+  const std::string obj = mesh("a.obj", text);
+  for (const std::string store : {"float32", "float64"}) {
+    const ToolResult made =
+        run("mesh2bin", {obj, "-o", file("a.scene"), "--store", store, "--info", "--json"});
+    EXPECT_EQ(made.err, "");
+    const auto box = nlohmann::json::parse(made.out)["bounds"];
+    const std::vector<double> expected{500000, 5400000, 200, 500006, 5400006, 200.2};
+    for (std::size_t i = 0; i < 6; ++i)
+      EXPECT_NEAR(box[i < 3 ? "min" : "max"][i % 3].get<double>(), expected[i], 1e-5);
+  }
+}
+
+// Of a format without a reader of our own.
+TEST_F(Mesh2bin, WarnsWhereFloat32IsTooCoarse) {
+  const std::string far_away = mesh("a.raw", "5400000 0 0 5400001 0 0 5400000 1 0\n"),
+                    near = mesh("b.raw", "54 0 0 55 0 0 54 1 0\n");
+  EXPECT_EQ(run("mesh2bin", {far_away, "-o", file("a.scene")}).err,
+            "mesh2bin: " + far_away +
+                ": warning: Assimp reads this format in float32: coordinates are off by up to 0.32; convert "
+                "it to PLY "
+                "or OBJ, which are read with all digits\n");
+  EXPECT_EQ(run("mesh2bin", {near, "-o", file("b.scene")}).err, "");
 }
 
 // --- Numbers of faces -------------------------------------------------------------------------------------
@@ -161,28 +238,29 @@ TEST_F(Mesh2bin, DoesntWaitForPipesThatItsMeshRefersTo) {
 
 // --- What Assimp takes ------------------------------------------------------------------------------------
 
-// A text that takes any release of Assimp several seconds: ten million faces.
-std::string large_obj() {
-  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (int i = 0; i < 10'000'000; ++i)
-    text += "f 1 2 3\n";
+// A text that takes any release of Assimp many seconds: each of its 100,000 textures is looked for among
+// those before.
+std::string slow_raw() {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i)
+    text += fmt::format("0 0 0 1 0 0 0 1 0 t{}\n", i);
   return text;
 }
 
 TEST_F(Mesh2bin, EndsWhatTakesTooLong) {
-  const std::string obj = mesh("a.obj", large_obj());
-  EXPECT_TRUE(fails(2, "mesh2bin", {obj, "-o", file("a.scene"), "--time-limit", "1"}, obj, "longer"));
-  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.obj"});
+  const std::string raw = mesh("a.raw", slow_raw());
+  EXPECT_TRUE(fails(2, "mesh2bin", {raw, "-o", file("a.scene"), "--time-limit", "1"}, raw, "longer"));
+  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.raw"});
 }
 
 TEST_F(Mesh2bin, GivesLittleMemoryToASmallFile) {
-  for (const char* const format : {"binary_little_endian", "ascii"}) {
+  for (const auto& [format, line] : {std::pair{"binary_little_endian", ""}, {"ascii", ":11"}}) {
     const std::string ply =
         mesh("a.ply", std::string("ply\nformat ") + format +
                           " 1.0\nelement vertex 536870912\nproperty float x\nproperty float y\n"
                           "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
-                          "end_header\n0 0 0 0 0 0\n");
-    EXPECT_TRUE(fails(2, "mesh2bin", {ply, "-o", file("a.scene")}, ply));
+                          "end_header\n0 0 0\n0 0 0\n");
+    EXPECT_TRUE(fails(2, "mesh2bin", {ply, "-o", file("a.scene")}, ply + line));
     rusage usage{};
     getrusage(RUSAGE_CHILDREN, &usage);
     EXPECT_LT(usage.ru_maxrss, 3 << 20); // KiB: of all children so far
@@ -225,9 +303,9 @@ TEST_F(Mesh2bin, EndsWithALineWhereThereIsLittleMemory) {
 }
 
 TEST_F(Mesh2bin, IsEndedBySignalsWithTheProcessThatReads) {
-  const std::string obj = mesh("a.obj", large_obj());
+  const std::string raw = mesh("a.raw", slow_raw());
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGKILL}) {
-    const pid_t process = start("mesh2bin", {obj, "-o", file("a.scene"), "--time-limit", "60"});
+    const pid_t process = start("mesh2bin", {raw, "-o", file("a.scene"), "--time-limit", "60"});
     ASSERT_GT(process, 0);
     const std::string list =
         "/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children";
@@ -253,7 +331,7 @@ TEST_F(Mesh2bin, IsEndedBySignalsWithTheProcessThatReads) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     EXPECT_FALSE(runs()) << signal;
   }
-  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.obj"});
+  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.raw"});
 }
 
 // Nodes nested this deep overflow Assimp's stack.

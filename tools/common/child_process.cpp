@@ -5,6 +5,7 @@
 
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,9 +34,13 @@ int status_of(pid_t child, const sigset_t& awaited) {
   }
 }
 
-// Lines for standard error, held back in memory; -1 where a person reads along, or there is no memory.
+// Lines for standard error, held back in memory; -1 where a person reads along, there is no memory, or a
+// limit of files, which it counts as, leaves no room for them.
 int open_lines() {
-  return isatty(STDERR_FILENO) != 0 ? -1 : memfd_create("lines", MFD_CLOEXEC);
+  constexpr rlim_t enough = 1 << 20;
+  rlimit limit{};
+  const bool has_room = getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur >= enough;
+  return isatty(STDERR_FILENO) != 0 || !has_room ? -1 : memfd_create("lines", MFD_CLOEXEC);
 }
 void print_lines(int lines) {
   std::array<char, 4096> part{};

@@ -1,16 +1,13 @@
 #include "libscene/mesh/import/import.h"
 
-#include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
 #include "libscene/file/input_file.h"
-#include "libscene/material_table.h"
+#include "libscene/file/scene_file.h"
+#include "libscene/mesh/files/text_lines.h"
+#include "libscene/mesh/import/gltf_extensions.h"
 #include "libscene/mesh/import/import_material.h"
-#include "libscene/mesh/import/import_normals.h"
-#include "libscene/mesh/import/import_ply.h"
 #include "libscene/mesh/import/import_transform.h"
 #include "libscene/mesh/import/import_view.h"
-#include "libscene/mesh/points.h"
-#include "libscene/mesh/triangulate.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
@@ -21,31 +18,71 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string_view>
 
 namespace masu {
 namespace {
 
-using import::ImportedMaterial;
-using import::Transform;
+// --- Assimp's scene as a mesh's file ---------------------------------------------------------------------
 
-// A node that names a mesh.
-struct Instance {
-  const aiNode* node;
-  unsigned mesh;
-  Transform transform;
+std::string name_of(const aiNode& node, const aiMesh& mesh) {
+  const std::string_view of_node = node.mName.C_Str(), own = mesh.mName.C_Str();
+  return own.empty() || own == of_node ? std::string(of_node) : fmt::format("{}/{}", of_node, own);
+}
+
+// What is taken of vertices beside their positions.
+struct Attributes {
+  bool normals = false, colors = false;
 };
 
-// Without recursion, for trees may be deep. Nodes of a file can be shared, and so more than its bytes: Assimp
-// has copied each.
-std::vector<Instance> instances_of(const aiScene& file, const std::string& name) {
-  std::vector<Instance> instances;
+// The mesh's faces, as an object without a place. Throws where a face's corner isn't among its vertices.
+MeshObject add_mesh(const aiMesh& mesh, Attributes attributes, std::uint64_t& points_and_lines,
+                    const std::string& name, MeshFile& result) {
+  const std::size_t first = result.positions.size();
+  if (mesh.mNumVertices > no_index - first)
+    throw Error(ErrorCode::input, name, "has more than 2^32 - 1 vertices: split the file");
+  MeshObject object{.material = mesh.mMaterialIndex,
+                    .has_normals = mesh.HasNormals(),
+                    .has_colors = mesh.HasVertexColors(0),
+                    .first_face = result.face_sizes.size(),
+                    .first_corner = result.corners.size()};
+  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+    result.positions.push_back(import::vector_of(mesh.mVertices[v]));
+    if (attributes.normals)
+      result.normals.push_back(mesh.HasNormals() ? import::vector_of(mesh.mNormals[v]) : Vec3d{});
+    if (!attributes.colors) continue;
+    const aiColor4D color = mesh.HasVertexColors(0) ? mesh.mColors[0][v] : aiColor4D{};
+    result.colors.push_back({color.r, color.g, color.b});
+  }
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const aiFace& face = mesh.mFaces[f];
+    const std::span<const unsigned> indices(face.mIndices, face.mNumIndices);
+    for (const unsigned index : indices)
+      if (index >= mesh.mNumVertices)
+        throw Error(ErrorCode::input, name,
+                    fmt::format("face {} of mesh '{}' has vertex {} of {}: repair the file", f,
+                                excerpt(mesh.mName.C_Str()), index, mesh.mNumVertices));
+    if (indices.size() < 3) {
+      ++points_and_lines;
+      continue;
+    }
+    for (const unsigned index : indices)
+      result.corners.push_back(static_cast<std::uint32_t>(first) + index);
+    result.face_sizes.push_back(face.mNumIndices);
+  }
+  object.faces = result.face_sizes.size() - object.first_face;
+  object.corners = result.corners.size() - object.first_corner;
+  return object;
+}
+
+// Nodes that name meshes, without recursion, for trees may be deep. Nodes of a file can be shared, and so
+// more than its bytes: Assimp has copied each.
+void add_instances(const aiScene& file, const std::vector<MeshObject>& meshes,
+                   const std::vector<std::uint64_t>& points_and_lines, const std::string& name,
+                   MeshFile& result) {
   struct Step {
     const aiNode* node;
     Transform transform; // of its parent
@@ -56,224 +93,55 @@ std::vector<Instance> instances_of(const aiScene& file, const std::string& name)
     pending.pop_back();
     const Transform transform = parent * import::transform_of(node->mTransformation);
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
-      if (node->mMeshes[i] >= file.mNumMeshes)
-        throw Error(
-            ErrorCode::input, name,
-            fmt::format("node {} names a mesh that doesn't exist: repair the file", node->mName.C_Str()));
-      if (file.mMeshes[node->mMeshes[i]]->mNumFaces > 0)
-        instances.push_back({node, node->mMeshes[i], transform});
+      const unsigned mesh = node->mMeshes[i];
+      if (mesh >= file.mNumMeshes)
+        throw Error(ErrorCode::input, name,
+                    fmt::format("node '{}' names a mesh that doesn't exist: repair the file",
+                                excerpt(node->mName.C_Str())));
+      result.notes.points_and_lines += points_and_lines[mesh];
+      if (meshes[mesh].faces == 0) continue;
+      MeshObject& object = result.objects.emplace_back(meshes[mesh]);
+      object.name = name_of(*node, *file.mMeshes[mesh]);
+      object.transform = transform;
     }
     for (unsigned i = node->mNumChildren; i > 0; --i)
       pending.push_back({node->mChildren[i - 1], transform});
   }
-  return instances;
 }
 
-// Throws where a face's corner isn't among its mesh's vertices. Returns the number of triangles of its faces.
-std::uint64_t count_triangles(const aiMesh& mesh, const std::string& name) {
-  std::uint64_t triangles = 0;
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    for (unsigned i = 0; i < face.mNumIndices; ++i)
-      if (face.mIndices[i] >= mesh.mNumVertices)
-        throw Error(ErrorCode::input, name,
-                    fmt::format("face {} of mesh '{}' has vertex {} of {}: repair the file", f,
-                                mesh.mName.C_Str(), face.mIndices[i], mesh.mNumVertices));
-    if (face.mNumIndices >= 3) triangles += face.mNumIndices - 2;
-  }
-  return triangles;
-}
-
-// Throws where the instances' triangles are too many for a scene or for the memory. Returns their number.
-std::uint64_t checked_size(const aiScene& file, const std::vector<Instance>& instances,
-                           const ImportOptions& options, const std::string& name) {
-  std::vector<std::uint64_t> of_mesh(file.mNumMeshes);
+MeshFile mesh_file_of(const aiScene& file, const std::string& name, bool smooth) {
+  MeshFile result;
+  Attributes attributes{.normals = smooth};
   for (unsigned i = 0; i < file.mNumMeshes; ++i)
-    of_mesh[i] = count_triangles(*file.mMeshes[i], name);
-  std::uint64_t triangles = 0;
-  for (const Instance& instance : instances)
-    triangles += of_mesh[instance.mesh]; // at most 2^32 times 2^64 / 2^32 faces that are in memory
-  if (instances.size() > max_objects)
-    throw Error(ErrorCode::input, name, fmt::format("has more than {} objects: split the file", max_objects));
-  if (triangles > options.max_primitives)
-    throw Error(ErrorCode::input, name,
-                fmt::format("has more than {} triangles: split the file", options.max_primitives));
-  const std::uint64_t each = sizeof(SceneTriangle) + sizeof(std::uint32_t) +
-                             (options.smooth ? sizeof(CornerNormals<double>) : std::uint64_t{0});
-  const double needed = static_cast<double>(triangles) * static_cast<double>(each);
-  if (const double available = available_memory(); needed > available)
-    throw Error(ErrorCode::input, name,
-                fmt::format("its {} triangles, instances expanded, take {:.1f} GB of memory, and {:.1f} are "
-                            "available: split the file",
-                            triangles, needed / 1e9, available / 1e9));
-  return triangles;
-}
-
-// The state of an import. Vectors are members to reuse their memory.
-struct Importing {
-  const aiScene& file;
-  bool smooth;
-  ImportedScene result;
-  MaterialTable materials;
-  std::vector<ImportedMaterial> of_file;
-  std::vector<std::vector<Vec3d>> generated_normals; // of each mesh, when first needed
-  std::vector<Vec3d> corners, normals;               // of a face
-  std::vector<unsigned> vertices;                    // the corners' indices
-  Triangulation triangulation;
-  std::uint32_t face = 0; // its number
-};
-
-// The vertices' normals in the mesh's coordinates.
-class NormalsOfMesh {
-public:
-  // STL has the normals of its facets only: they wouldn't smooth anything.
-  NormalsOfMesh(Importing& state, unsigned index)
-      : mesh_(*state.file.mMeshes[index]), generated_(state.generated_normals[index]) {
-    has_own_ = mesh_.HasNormals() && !import::is_format(state.file, "(STL)");
-    if (!has_own_ && generated_.empty()) generated_ = import::vertex_normals(mesh_);
+    attributes.colors |= file.mMeshes[i]->HasVertexColors(0);
+  for (unsigned i = 0; i < file.mNumMaterials; ++i) {
+    result.materials.push_back(import::imported_material(*file.mMaterials[i]));
+    result.notes.textured_materials += import::has_textures(*file.mMaterials[i]) ? 1 : 0;
   }
-  Vec3d operator[](unsigned vertex) const {
-    return has_own_ ? import::vector_of(mesh_.mNormals[vertex]) : generated_[vertex];
-  }
-
-private:
-  const aiMesh& mesh_;
-  std::vector<Vec3d>& generated_;
-  bool has_own_;
-};
-
-// The mean of the corners' colours in steps of 1/63, so that their number is bounded.
-Vec3f mean_color(const aiColor4D& a, const aiColor4D& b, const aiColor4D& c) {
-  const auto mean = [](float x, float y, float z) {
-    const float sum = (x + y + z) / 3;
-    return std::round(63 * (sum > 0 ? std::min(sum, 1.0F) : 0.0F)) / 63; // NaN: 0
-  };
-  return {mean(a.r, b.r, c.r), mean(a.g, b.g, c.g), mean(a.b, b.b, c.b)};
-}
-
-Material colored(const ImportedMaterial& of_file, const Vec3f& color) {
-  Material material = of_file.material;
-  material.color = of_file.multiplies_vertex_colors ? material.color * color : color;
-  return material;
-}
-
-// Adds a triangle of the face. Numbers of faces are stored once one isn't its triangle's own.
-void add_triangle(Importing& state, const SceneTriangle& triangle) {
-  Scene& scene = state.result.scene;
-  const std::size_t number = scene.triangles.size();
-  if (scene.faces.empty() && state.face != number) {
-    const std::span<std::uint32_t> before = scene.faces.extend(number);
-    std::iota(before.begin(), before.end(), 0U);
-  }
-  if (state.face != number || !scene.faces.empty()) scene.faces.push_back(state.face);
-  scene.triangles.push_back(triangle);
-}
-
-// Adds the triangles of the face whose corners, in the scene's coordinates, are state.corners: one that can't
-// be hit, where it has no area or no place.
-void add_face(Importing& state, const aiMesh& mesh, std::uint32_t object) {
-  Scene& scene = state.result.scene;
-  const bool has_place = std::all_of(state.corners.begin(), state.corners.end(), is_coordinate);
-  if (has_place) triangulate(state.corners, state.triangulation);
-  if (!has_place || state.triangulation.triangles.empty()) {
-    ++(has_place ? scene.warnings.degenerate_polygons : state.result.notes.invalid_faces);
-    const Material& material = state.of_file[mesh.mMaterialIndex].material;
-    return add_triangle(state, {{}, object, {}, state.materials.index_of(material), {}, no_normals});
-  }
-  scene.warnings.degenerate_triangles += state.triangulation.slivers;
-  if (state.triangulation.crosses_itself) ++scene.warnings.self_crossing_polygons;
-  const ImportedMaterial& material = state.of_file[mesh.mMaterialIndex];
-  const aiColor4D* const colors = mesh.mColors[0];
-  std::uint32_t index = colors == nullptr ? state.materials.index_of(material.material) : 0;
-  for (const auto& [a, b, c] : state.triangulation.triangles) {
-    if (colors != nullptr) {
-      const auto& v = state.vertices;
-      index =
-          state.materials.index_of(colored(material, mean_color(colors[v[a]], colors[v[b]], colors[v[c]])));
-    }
-    const Vec3d &pa = state.corners[a], &pb = state.corners[b], &pc = state.corners[c];
-    std::uint64_t normals = no_normals;
-    if (state.smooth) {
-      normals = scene.normals.size();
-      const Vec3d flat = import::unit(cross(pb - pa, pc - pa)).value_or(Vec3d{0, 0, 1});
-      const auto normal = [&](std::uint32_t corner) {
-        return import::unit(state.normals[corner]).value_or(flat);
-      };
-      scene.normals.push_back({normal(a), normal(b), normal(c)});
-    }
-    add_triangle(state, {pa, object, pb, index, pc, normals});
-  }
-}
-
-void add_instance(Importing& state, const Instance& instance, std::uint32_t object) {
-  const aiMesh& mesh = *state.file.mMeshes[instance.mesh];
-  const import::NormalTransform of_normals = import::normal_transform(instance.transform);
-  std::optional<NormalsOfMesh> normals;
-  if (state.smooth) normals.emplace(state, instance.mesh);
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    if (face.mNumIndices < 3) {
-      ++state.result.notes.points_and_lines;
-      continue;
-    }
-    state.vertices.assign(face.mIndices, face.mIndices + face.mNumIndices);
-    // Mirroring turns fronts into backs.
-    if (of_normals.mirrors) std::reverse(state.vertices.begin() + 1, state.vertices.end());
-    state.corners.clear();
-    for (const unsigned vertex : state.vertices)
-      state.corners.push_back(
-          import::transformed_point(instance.transform, import::vector_of(mesh.mVertices[vertex])));
-    state.normals.clear();
-    if (normals)
-      for (const unsigned vertex : state.vertices)
-        state.normals.push_back(import::transformed_direction(of_normals.cofactors, (*normals)[vertex]));
-    add_face(state, mesh, object);
-    ++state.face;
-  }
-  ++(state.smooth ? state.result.scene.objects.patches : state.result.scene.objects.polygons);
-  const std::string_view node = instance.node->mName.C_Str(), own = mesh.mName.C_Str();
-  state.result.object_names.push_back(own.empty() || own == node ? std::string(node)
-                                                                 : fmt::format("{}/{}", node, own));
-}
-
-void read_materials(Importing& state, const std::string& name) {
-  for (unsigned i = 0; i < state.file.mNumMaterials; ++i) {
-    state.of_file.push_back(import::imported_material(*state.file.mMaterials[i]));
-    state.result.notes.textured_materials += state.of_file.back().has_textures ? 1 : 0;
-  }
-  for (unsigned i = 0; i < state.file.mNumMeshes; ++i)
-    if (state.file.mMeshes[i]->mMaterialIndex >= state.file.mNumMaterials)
+  std::vector<MeshObject> meshes;
+  std::vector<std::uint64_t> points_and_lines(file.mNumMeshes);
+  for (unsigned i = 0; i < file.mNumMeshes; ++i) {
+    if (file.mMeshes[i]->mMaterialIndex >= file.mNumMaterials)
       throw Error(ErrorCode::input, name,
                   fmt::format("mesh '{}' has a material that doesn't exist: repair the file",
-                              state.file.mMeshes[i]->mName.C_Str()));
+                              excerpt(file.mMeshes[i]->mName.C_Str())));
+    meshes.push_back(add_mesh(*file.mMeshes[i], attributes, points_and_lines[i], name, result));
+  }
+  if (file.mRootNode != nullptr) add_instances(file, meshes, points_and_lines, name, result);
+  return result;
 }
 
-ImportedScene imported(const aiScene& file, const std::string& name, const ImportOptions& options) {
-  const std::vector<Instance> instances =
-      file.mRootNode != nullptr ? instances_of(file, name) : std::vector<Instance>{};
-  const std::uint64_t triangles = checked_size(file, instances, options, name);
-  if (triangles == 0)
-    throw Error(ErrorCode::input, name, "has no face of three corners or more: give a mesh of polygons");
-  Importing state{file, options.smooth, {}, {}, {}, {}, {}, {}, {}, {}};
-  read_materials(state, name);
-  state.generated_normals.resize(file.mNumMeshes);
-  Scene& scene = state.result.scene;
-  scene.triangles.reserve(triangles);
-  if (options.smooth) scene.normals.reserve(triangles);
-  for (std::size_t i = 0; i < instances.size(); ++i)
-    add_instance(state, instances[i], static_cast<std::uint32_t>(i));
-  place_points(scene.triangles);
-  scene.materials = std::move(state.materials.materials);
-  import::import_view(file, options, state.result);
-  return std::move(state.result);
+// By how much coordinates in that box were rounded to float32, where that is more than 1e-5 of its extent.
+double float32_error(const Boxd& box) {
+  const double error =
+      std::max(largest_magnitude(box.min), largest_magnitude(box.max)) * RealTraits<float>::unit_roundoff;
+  return error > 1e-5 * largest_magnitude(box.max - box.min) ? error : 0;
 }
+
+// --- Reading through Assimp ------------------------------------------------------------------------------
 
 // Without any of Assimp's processing steps: it would triangulate, join and reorder differently.
 constexpr unsigned no_steps = 0;
-
-std::string_view text_of(std::span<const std::uint8_t> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 class Progress final : public Assimp::ProgressHandler {
 public:
@@ -290,63 +158,113 @@ private:
 // A file can name any other, as its materials, say: pipes and devices could be read for ever.
 class RegularFiles final : public Assimp::DefaultIOSystem {
 public:
-  explicit RegularFiles(const std::function<void(const std::string&)>& opened) : opened_(opened) {}
-  bool Exists(const char* path) const override {
-    std::error_code unknown;
-    return std::filesystem::is_regular_file(path, unknown);
-  }
+  RegularFiles(std::string mesh, const std::function<void(const std::string&)>& opened, bool& opens_others)
+      : mesh_(std::move(mesh)), opened_(opened), opens_others_(opens_others) {}
+  bool Exists(const char* path) const override { return is_regular_file(path); }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
     if (!Exists(path)) return nullptr;
     if (opened_) opened_(path);
+    opens_others_ |= path != mesh_;
     return DefaultIOSystem::Open(path, mode);
   }
 
+  static bool is_regular_file(const std::filesystem::path& path) {
+    std::error_code unknown;
+    return std::filesystem::is_regular_file(path, unknown);
+  }
+
 private:
+  std::string mesh_;
   const std::function<void(const std::string&)>& opened_;
+  bool& opens_others_;
 };
 
-void set_up(Assimp::Importer& importer, const ImportOptions& options) {
-  importer.SetIOHandler(std::make_unique<RegularFiles>(options.opened).release()); // owned by it
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  if (options.progress)
-    importer.SetProgressHandler(std::make_unique<Progress>(options.progress).release()); // owned by it
-}
-
-// Assimp's message as one line.
-[[noreturn]] void fail(const Assimp::Importer& importer, const std::string& name) {
+// Assimp's message as one line: its beginning, for it may repeat what was read. Of other files that the mesh
+// names nothing is repeated: those may be anybody's. (glTF's have numbers alone, which no message has.)
+[[noreturn]] void fail(const Assimp::Importer& importer, bool opens_others, const std::string& name) {
+  constexpr std::size_t longest = 200;
   std::string message = importer.GetErrorString();
   if (message == "std::bad_alloc")
     message = "reading it needs more memory than it may take: repair or split the file";
+  else if (opens_others && !name.ends_with(".gltf"))
+    message = "can't be read, or a file that it names can't: repair them";
   for (char& c : message)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   while (!message.empty() && message.back() == ' ')
     message.pop_back();
   if (message.empty()) message = "can't be read: give a mesh in a format that Assimp reads";
-  throw Error(ErrorCode::input, name, message);
+  throw Error(ErrorCode::input, name, excerpt(message, longest));
 }
 
 // What `read` makes of the importer, as a scene.
 template <class Read>
 ImportedScene imported_by(const std::string& name, const ImportOptions& options, const Read& read) {
   Assimp::Importer importer;
-  set_up(importer, options);
+  bool opens_others = false;
+  importer.SetIOHandler( // owned by it
+      std::make_unique<RegularFiles>(name, options.opened, opens_others).release());
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  if (options.progress)
+    importer.SetProgressHandler(std::make_unique<Progress>(options.progress).release()); // owned by it
   const aiScene* const file = read(importer);
   if (options.parsed) options.parsed();
-  if (file == nullptr) fail(importer, name);
-  return imported(*file, name, options);
+  if (file == nullptr) fail(importer, opens_others, name);
+  ImportedScene result = scene_of(mesh_file_of(*file, name, options.smooth), name, options);
+  // A glTF file has no more digits itself.
+  if (!import::is_format(*file, "glTF")) result.notes.float32_error = float32_error(bounds(result.scene));
+  import::import_view(*file, options, result);
+  return result;
+}
+
+// --- Our own readers, and Assimp for all else --------------------------------------------------------------
+
+// None: one for Assimp.
+std::optional<MeshFormat> format_of(std::string_view bytes, const std::string& extension) {
+  if (const auto format = format_of_name(extension)) return format;
+  if (!extension.empty() && Assimp::Importer().IsExtensionSupported("." + extension)) return {};
+  return format_of_content(bytes);
+}
+
+// The mesh, if it isn't one for Assimp.
+std::optional<MeshFile> parsed_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
+                                    const std::filesystem::path& folder, const std::string& name,
+                                    const ImportOptions& options) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::optional<MeshFormat> format = format_of(text, extension);
+  if (!format) {
+    import::check_gltf_extensions(text, name);
+    return {};
+  }
+  const auto other_file = [&](const std::string& other) -> std::optional<std::string> {
+    const std::filesystem::path path = folder / other;
+    if (!RegularFiles::is_regular_file(path)) return {};
+    if (options.opened) options.opened(path);
+    const PrivateMemory contents = InputFile(path).contents();
+    return std::string(contents.bytes().begin(), contents.bytes().end());
+  };
+  MeshFile mesh = parse_mesh_file({text, name, other_file, options.progress}, *format);
+  if (options.parsed) options.parsed();
+  return mesh;
 }
 
 } // namespace
 
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
-  import::check_ply_header(text_of(InputFile(path).contents().bytes()), path);
+  const std::filesystem::path parts(path);
+  std::string extension = parts.extension();
+  if (!extension.empty()) extension.erase(0, 1); // the dot
+  if (options.opened) options.opened(path);
+  const std::optional<MeshFile> mesh =
+      parsed_mesh(InputFile(path).contents().bytes(), extension, parts.parent_path(), path, options);
+  if (mesh) return viewed_scene_of(*mesh, path, options);
   return imported_by(path, options,
                      [&](Assimp::Importer& importer) { return importer.ReadFile(path, no_steps); });
 }
 
 ImportedScene parse_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
                          const std::string& name, const ImportOptions& options) {
-  import::check_ply_header(text_of(bytes), name);
+  if (const std::optional<MeshFile> mesh = parsed_mesh(bytes, extension, {}, name, options))
+    return viewed_scene_of(*mesh, name, options);
   return imported_by(name, options, [&](Assimp::Importer& importer) {
     return importer.ReadFileFromMemory(bytes.data(), bytes.size(), no_steps, extension.c_str());
   });

@@ -62,13 +62,6 @@ std::optional<Camera> imported_camera(const aiScene& file, const aiCamera& sourc
   return camera;
 }
 
-// Above and to the left of the camera, half its distance each.
-Light<double> automatic_light(const Camera& camera) {
-  const Vec3d view = camera.at - camera.from;
-  const Vec3d forward = direction(view), right = direction(cross(forward, camera.up));
-  return {camera.from + (cross(right, forward) - right) * (0.5 * length(view)), {1, 1, 1}};
-}
-
 std::optional<Light<double>> imported_light(const aiScene& file, const aiLight& source,
                                             const Sphere<double>& whole) {
   const Transform transform = transform_of(file, source.mName);
@@ -112,11 +105,6 @@ void import_view(const aiScene& file, const ImportOptions& options, ImportedScen
       scene.has_camera = true;
     }
   }
-  if (!scene.has_camera)
-    scene.camera =
-        automatic_camera(whole, options.up == UpAxis::y, options.width > 0 ? options.width : default_height,
-                         options.height > 0 ? options.height : default_height);
-  result.notes.has_camera = scene.has_camera;
   result.notes.omitted_cameras = file.mNumCameras - (scene.has_camera ? 1U : 0U);
 
   for (unsigned i = 0; i < file.mNumLights; ++i) {
@@ -125,21 +113,7 @@ void import_view(const aiScene& file, const ImportOptions& options, ImportedScen
     else
       ++result.notes.omitted_lights;
   }
-  double brightest = 0;
-  for (const Light<double>& light : scene.lights)
-    brightest = std::max(brightest, largest_magnitude(light.intensity));
-  result.notes.has_lights = brightest > 0;
-  if (brightest == 0) {
-    brightest = 1;
-    scene.lights = {scene.has_camera ? Light<double>{scene.camera.from, {1, 1, 1}}
-                                     : automatic_light(scene.camera)};
-  }
-  const double n = static_cast<double>(scene.lights.size());
-  const double each = std::sqrt(n) / (2 * n);
-  for (Light<double>& light : scene.lights)
-    light.intensity = light.intensity * (each / brightest);
-  scene.ambient = static_cast<float>(each);
-  scene.background = {0, 0, 0};
+  complete_view(whole, options, result);
 }
 
 } // namespace masu::import

@@ -1,0 +1,95 @@
+// What a mesh's file says, with all its digits: polygons whose corners are numbers of shared positions. Those
+// of the four formats that people exchange are read here, any other by Assimp (import/); mesh_scene.h makes a
+// scene of either.
+//
+// The readers refuse what is cut or contradicts itself: counts that aren't there, numbers of vertices out of
+// range, what isn't a number. Errors name the line, and of what was read at most a word's beginning.
+#pragma once
+
+#include "libscene/base/growing_array.h"
+#include "libscene/mesh/files/transform.h"
+#include "libscene/scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace masu {
+
+// What a file holds that its scene doesn't, and what was made up.
+struct ImportNotes {
+  std::uint64_t points_and_lines = 0;   // left out
+  std::uint64_t invalid_faces = 0;      // can't be hit: coordinates that aren't finite or beyond 1e100
+  std::uint64_t textured_materials = 0; // have their base colour only
+  std::uint64_t omitted_cameras = 0;    // all but the first, and what isn't a perspective
+  std::uint64_t omitted_lights = 0;     // ambient ones, and those without a position or direction
+  std::uint64_t unknown_lines = 0;      // of an OBJ, left out: curves and surfaces, words that aren't of it
+  std::uint64_t missing_libraries = 0;  // files of materials that an OBJ names
+  double float32_error = 0; // of Assimp's coordinates, where it is more than 1e-5 of the scene's extent
+  std::uint64_t trailing_bytes = 0;            // after the last face that a binary file promises
+  bool has_camera = false, has_lights = false; // false: automatic
+};
+
+struct FileMaterial {
+  Material material{};
+  bool multiplies_vertex_colors = false; // as glTF's; else vertex colours replace the material's
+};
+
+// Faces of one material under one name.
+struct MeshObject {
+  std::string name{};
+  std::uint32_t material = 0;
+  bool has_normals = false, has_colors = false;
+  std::uint64_t first_face = 0, faces = 0, first_corner = 0, corners = 0;
+  Transform transform{}; // from the positions' coordinates to the scene's
+
+  std::uint64_t triangles() const { return corners - 2 * faces; }
+};
+
+inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
+
+struct MeshFile {
+  GrowingArray<Vec3d> positions;
+  GrowingArray<Vec3f> colors;                 // of the positions, NaN where one has none; or none at all
+  GrowingArray<Vec3d> normals;                // of the positions, where corner_normals is empty
+  GrowingArray<std::uint32_t> corners;        // of all faces, in turn: positions
+  GrowingArray<std::uint32_t> corner_normals; // of all corners: normals, or no_index
+  GrowingArray<std::uint32_t> face_sizes;     // corners of each face: three at least
+  std::vector<FileMaterial> materials;
+  std::vector<MeshObject> objects;
+  ImportNotes notes;
+};
+
+// From now on faces are of that object.
+void begin_object(MeshFile& file, const std::string& name, std::uint32_t material);
+// One of fewer than three corners is none, and counted as a point or line.
+void add_face(MeshFile& file, std::span<const std::uint32_t> corners);
+
+enum class MeshFormat { obj, ply, off, stl };
+
+// The format of that ending of a file's name (without a dot), or of what a file of another name begins with.
+std::optional<MeshFormat> format_of_name(const std::string& extension);
+std::optional<MeshFormat> format_of_content(std::string_view file);
+
+// A file, and how it is read.
+struct MeshText {
+  std::string_view bytes;
+  const std::string& name; // in errors
+  // The text of a file that this one names; none where there isn't any.
+  std::function<std::optional<std::string>(const std::string&)> other_file{};
+  std::function<void(double)> progress{}; // gets the share that was read
+};
+
+// Throws Error(input, its name or its name:line, …).
+MeshFile parse_mesh_file(const MeshText& text, MeshFormat format);
+MeshFile parse_obj(const MeshText& text);
+MeshFile parse_ply(const MeshText& text);
+MeshFile parse_off(const MeshText& text);
+MeshFile parse_stl(const MeshText& text);
+
+} // namespace masu
