@@ -85,8 +85,9 @@ Candidate candidate(GridKind kind, const GridLayout& layout, const BuildOptions&
         0x1p23 + 8 * hierarchy_bytes_per_primitive / sizeof(std::uint32_t) * static_cast<double>(primitives);
     made.options.max_map_words = automatic_division ? limit(words) : ~std::uint64_t{0};
   }
-  // SPD scenes make up to 72 fragments per primitive on all levels.
-  constexpr double fragments_per_reference = 128, always = 0x1p16;
+  // SPD scenes make up to 72 fragments per primitive on all levels. Boxes meet more voxels than expected.
+  constexpr double always = 0x1p16;
+  const double fragments_per_reference = options.overlap == Overlap::box ? 1024 : 128;
   const double listed = automatic_division && kind == GridKind::irregular
                             ? static_cast<double>(primitives)
                             : expected_references(statistics.all, layout);

@@ -323,7 +323,7 @@ Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space
   std::size_t allowed = 0; // of the candidates
   for (int step = 0; step <= steps_an_octave * max_octaves; ++step) {
     const Vec3d per_unit = equal_sides(extent, std::exp2(static_cast<double>(step) / steps_an_octave));
-    if (largest_magnitude(extent * per_unit) > largest_division / 2.0) break;
+    if (!(largest_magnitude(extent * per_unit) <= largest_division / 2.0)) break;
     const Vec3i division = division_of(extent, per_unit);
     const GridLayout layout{space, division, margin};
     const double references = expected_references(statistics.all, layout);
@@ -346,8 +346,9 @@ Vec3i nested_division(const DivisionStatistics& statistics, const Boxd& space, d
   double voxels = std::clamp(nested_density(statistics, space) * count, 1.0, max_nested);
   for (;; voxels /= 2) {
     const Vec3d per_unit = equal_sides(extent, voxels);
-    if (largest_magnitude(extent * per_unit) > largest_division) continue;
-    const Vec3i division = division_of(extent, per_unit);
+    const bool fits = largest_magnitude(extent * per_unit) <= largest_division;
+    if (!fits && voxels > 1) continue;
+    const Vec3i division = fits ? division_of(extent, per_unit) : Vec3i{1, 1, 1};
     if (voxels <= 1 || expected_references(statistics.all, {space, division, margin}) <=
                            most_nested_references(statistics.all.primitives))
       return division;
