@@ -110,7 +110,7 @@ void build(const Settings& settings, const SceneFile& file) {
   print_report(settings, "{}\nbuilt in {:.3f} s, written in {:.3f} s\n", text, seconds,
                total_seconds - seconds);
   if (is_irregular && grid.detail < settings.options.grid.detail)
-    print_report(settings, "built with --detail {}: with more its map would be too large\n", grid.detail);
+    print_report(settings, "built with --detail {}: with more it would be too large\n", grid.detail);
   if (on_gpu)
     print_report(settings,
                  "on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",

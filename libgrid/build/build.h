@@ -1,4 +1,4 @@
-// What a built grid is; and building a uniform one on the host.
+// What a built grid is.
 #pragma once
 
 #include "libgrid/build/build_options.h"
@@ -52,16 +52,13 @@ struct HostMemory {
 };
 using Grid = GridIn<HostMemory>;
 
-inline constexpr const char* too_many_references = "more than 2^31 references";
+inline constexpr const char* too_many_references = "more references than are possible";
+inline constexpr const char* too_many_words = "more words for its map than are possible";
 
 // Throws Error(input) for more primitives than grids can number.
 inline void check_primitives(std::uint64_t count) {
   if (count > max_numbered)
     throw Error(ErrorCode::input, "scene", "holds more than 2^31 primitives: grids can't number so many");
 }
-
-// Throws Error(input) for more primitives than grids can number.
-template <class Stored>
-Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap);
 
 } // namespace masu

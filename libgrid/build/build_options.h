@@ -28,11 +28,15 @@ struct GridOptions {
   std::uint32_t target = 8; // balance: the most references of a cell, where voxels allow it
   double alpha = 0.95;      // irregular: divide while that makes the cost less than alpha times what it is
   double step_cost = 5;     // irregular: of the step to a cell, in intersection tests
-  double detail = 3;        // irregular: planes no closer than a primitive's typical extent over this, or
-                            // over a part of it where the map would become too large (merge.h)
+  double detail = 3;        // irregular: planes no closer than a primitive's typical extent over this
   std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis
   int expansions = 4;           // irregular: rounds of expansion; 0 for none
-  std::uint64_t max_map_words = max_nested_words; // irregular: of its map
+  // irregular: where one of the limits below is exceeded, half of the detail is tried, as long as that is no
+  // less than this. It takes a third of the words, and hardly adds references.
+  double least_detail = 0.1;
+  std::uint64_t max_map_words = max_nested_words;  // uniform, irregular: of its map
+  std::uint64_t max_references = max_numbered;     // of voxels, before they are joined or divided further
+  std::uint64_t max_fragments = ~std::uint64_t{0}; // irregular, balance: of all levels (split_passes.h)
   HierarchyQuality quality = HierarchyQuality::high;
 };
 

@@ -16,19 +16,12 @@ template <class Stored>
 Grid GridBuilder<Stored>::build(const GridLayout& layout, Overlap overlap, const GridOptions& options) {
   Grid grid = try_build(layout, overlap, options);
   if (grid.exceeded != nullptr)
-    throw Error(ErrorCode::usage, "division", fmt::format("makes {}: choose a coarser one", grid.exceeded));
+    throw Error(ErrorCode::usage, "division",
+                fmt::format("makes {}: choose a coarser one, or a hierarchy", grid.exceeded));
   return grid;
 }
 template class GridBuilder<float>;
 template class GridBuilder<double>;
-
-template <class Stored>
-Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
-  TbbExecutor executor;
-  return uniform_grid(executor, scene, layout, overlap);
-}
-template Grid uniform_grid(const SceneView<float>&, const GridLayout&, Overlap);
-template Grid uniform_grid(const SceneView<double>&, const GridLayout&, Overlap);
 
 namespace {
 
@@ -40,8 +33,9 @@ public:
   Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::hierarchy)
       return hierarchy_grid(scene_, layout, options.quality, progress_);
-    return options.kind == GridKind::uniform ? uniform_grid(scene_, layout, overlap)
-                                             : merged_grid(scene_, layout, overlap, options, progress_);
+    if (options.kind != GridKind::uniform) return merged_grid(scene_, layout, overlap, options, progress_);
+    TbbExecutor executor;
+    return uniform_grid(executor, scene_, layout, overlap, options.max_references, options.max_map_words);
   }
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
     return refit_hierarchy(scene_, layout, hierarchy);

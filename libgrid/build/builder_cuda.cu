@@ -74,7 +74,10 @@ public:
         return built([&] { return fast_hierarchy(device_->view, layout); });
       }
       if (options.kind == GridKind::uniform)
-        return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
+        return built([&] {
+          return uniform_grid(*executor_, device_->view, layout, overlap, options.max_references,
+                              options.max_map_words);
+        });
       return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
     });
   }

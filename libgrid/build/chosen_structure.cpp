@@ -1,5 +1,6 @@
 #include "libgrid/build/chosen_structure.h"
 
+#include "libgrid/build/binary_hierarchy.h"
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/build/sampled_costs.h"
 #include "libscene/base/available_memory.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,15 +61,39 @@ std::string merge_text(const Grid& grid, const GridOptions& options) {
   return "";
 }
 
-GridOptions of_kind(GridKind kind, GridOptions options) {
-  options.kind = kind;
-  return options;
-}
-
 struct Candidate {
-  GridKind kind;
   GridLayout layout;
+  GridOptions options;
+  std::uint64_t primitives;
 };
+
+// What is built on this layout, within limits that keep its time and memory to about eight times a
+// hierarchy's where nobody gave the division. They depend on the geometry alone.
+Candidate candidate(GridKind kind, const GridLayout& layout, const BuildOptions& options,
+                    const DivisionStatistics& statistics) {
+  const std::uint64_t primitives = statistics.all.primitives;
+  Candidate made{layout, options.grid, primitives};
+  made.options.kind = kind;
+  const bool automatic_division = options.division.kind == DivisionRule::Kind::automatic;
+  const auto limit = [](double count) {
+    return static_cast<std::uint64_t>(std::min(count, static_cast<double>(max_numbered)));
+  };
+  // Expected references are those of the exact overlap test.
+  if (automatic_division) made.options.max_references = limit(4 * most_references(primitives));
+  if (kind == GridKind::uniform) {
+    const double words =
+        0x1p23 + 8 * hierarchy_bytes_per_primitive / sizeof(std::uint32_t) * static_cast<double>(primitives);
+    made.options.max_map_words = automatic_division ? limit(words) : ~std::uint64_t{0};
+  }
+  // SPD scenes make up to 72 fragments per primitive on all levels. Boxes meet more voxels than expected.
+  constexpr double always = 0x1p16;
+  const double fragments_per_reference = options.overlap == Overlap::box ? 1024 : 128;
+  const double listed = automatic_division && kind == GridKind::irregular
+                            ? static_cast<double>(primitives)
+                            : expected_references(statistics.all, layout);
+  made.options.max_fragments = static_cast<std::uint64_t>(always + fragments_per_reference * listed);
+  return made;
+}
 
 // A layout's division times a factor along each axis.
 GridLayout scaled(GridLayout layout, double factor) {
@@ -91,15 +117,16 @@ std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd
   };
   const auto add = [&](GridKind of, const GridLayout& layout) {
     for (const Candidate& known : candidates)
-      if (known.kind == of && known.layout.division == layout.division) return;
+      if (known.options.kind == of && known.layout.division == layout.division) return;
     check_memory(layout, expected_references(statistics.all, layout), automatic_division);
-    candidates.push_back({of, layout});
+    candidates.push_back(candidate(of, layout, options, statistics));
   };
   const auto add_uniform = [&](std::initializer_list<double> factors) {
     const GridLayout usual = layout_by(options.division);
     for (const double factor : factors) {
       const GridLayout layout = scaled(usual, factor);
-      if (factor <= 1 || expected_references(statistics.all, layout) <= most_references(statistics))
+      if (factor <= 1 ||
+          expected_references(statistics.all, layout) <= most_references(statistics.all.primitives))
         add(GridKind::uniform, layout);
     }
   };
@@ -129,35 +156,82 @@ std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd
   } else if (kind == GridKind::uniform && automatic_division) {
     add_uniform({1, 0.625, 1.6});
   } else {
+    GridLayout layout = layout_by(options.division);
+    // A merged grid's map has a word for each voxel.
+    const double most_voxels = 0x1p25 + 64 * static_cast<double>(statistics.all.primitives);
+    while (automatic_division && static_cast<double>(voxel_count(layout.division)) > most_voxels)
+      layout = scaled(layout, 0.8);
     // Whoever gives a division means those voxels, not ones to divide further.
-    add(kind == GridKind::automatic ? GridKind::uniform : kind, layout_by(options.division));
+    add(kind == GridKind::automatic ? GridKind::uniform : kind, layout);
   }
   return candidates;
+}
+
+// Where nothing is to be chosen, or nothing could be built within the limits of a choice: the candidate, or,
+// where nobody gave the division, the first one without nested voxels, twice as large each time, that can be.
+template <class Stored>
+Grid usual_one(Candidate candidate, GridBuilder<Stored>& builder, const BuildOptions& options) {
+  if (options.division.kind == DivisionRule::Kind::automatic) {
+    while (candidate.layout.division != Vec3i{1, 1, 1}) {
+      Grid built = builder.try_build(candidate.layout, options.overlap, candidate.options);
+      if (built.exceeded == nullptr) return built;
+      candidate.layout = scaled(candidate.layout, 0.5);
+      candidate.options.nested_log2 = 0;
+    }
+  }
+  return builder.build(candidate.layout, options.overlap, candidate.options);
+}
+
+// The first structure is traced as long as a hierarchy takes to build, or some grid; the others by as many
+// rays, and no longer than could pay.
+SampleLimits limits_for(const Candidate& first) {
+  const auto primitives = static_cast<double>(first.primitives);
+  const double work =
+      first.options.kind == GridKind::hierarchy ? 0x1p19 + 16 * primitives : 0x1p20 + 64 * primitives;
+  return {SampleLimits{}.rays, static_cast<std::uint64_t>(work)};
+}
+SampleLimits limits_after(const SampledCosts& first) {
+  return {first.rays, (std::uint64_t{1} << 21) + 4 * first.work};
 }
 
 template <class Stored>
 Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& builder,
                 const BuildOptions& options, std::vector<Considered>& considered) {
-  const auto one = [&](const Candidate& candidate) {
-    return builder.build(candidate.layout, options.overlap, of_kind(candidate.kind, options.grid));
+  if (candidates.size() == 1 || builder.scene().primitive_count() == 0)
+    return usual_one(candidates.front(), builder, options);
+  struct Built {
+    Grid grid;
+    SampledCosts costs;
   };
-  if (candidates.size() == 1 || builder.scene().primitive_count() == 0) return one(candidates.front());
+  std::optional<SampleLimits> limits;
+  // None where a limit is exceeded.
+  const auto built = [&](const Candidate& candidate) -> std::optional<Built> {
+    Built one{builder.try_build(candidate.layout, options.overlap, candidate.options), {}};
+    if (one.grid.exceeded != nullptr) return std::nullopt;
+    one.costs = sampled_costs(builder.scene(), one.grid, limits ? *limits : limits_for(candidate));
+    if (limits && one.costs.rays < limits->rays) return std::nullopt;
+    if (!limits) limits = limits_after(one.costs);
+    return one;
+  };
+  // A hierarchy is the last candidate, but built first: the others are measured by it.
+  std::optional<Built> hierarchy;
+  if (candidates.back().options.kind == GridKind::hierarchy) hierarchy = built(candidates.back());
   // What comes first is the usual one. Pictures take up to 7 % longer through a coarser top division that
   // lists take as long through: their threads share no tests.
   constexpr double clearly = 0.95;
   Grid fastest;
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates) {
-    Grid built = builder.try_build(candidate.layout, options.overlap, of_kind(candidate.kind, options.grid));
-    if (built.exceeded != nullptr) continue;
-    const SampledCosts costs = sampled_costs(builder.scene(), built);
-    const double time = expected_time(costs, candidate.kind, options.processor);
-    considered.push_back({candidate.kind, candidate.layout.division, costs, time});
+    const GridKind kind = candidate.options.kind;
+    std::optional<Built> one = kind == GridKind::hierarchy ? std::move(hierarchy) : built(candidate);
+    if (!one) continue;
+    const double time = expected_time(one->costs, kind, options.processor);
+    considered.push_back({kind, candidate.layout.division, one->costs, time});
     if (!(time < clearly * least)) continue;
     least = time;
-    fastest = std::move(built);
+    fastest = std::move(one->grid);
   }
-  return least < std::numeric_limits<double>::infinity() ? std::move(fastest) : one(candidates.front());
+  return considered.empty() ? usual_one(candidates.front(), builder, options) : std::move(fastest);
 }
 
 } // namespace

@@ -38,14 +38,15 @@ struct DescribedGrid {
 //   irregular  the usual top division (division.h), and one with a quarter of the voxels along each axis
 //   automatic  the model's uniform one and those of irregular
 //   fastest    those of automatic, and a hierarchy
-// They are built in this order, and one takes the place of those before it if rays are expected to take 5 %
-// less time through it on options.processor (sampled_costs.h). Left out is what the geometry doesn't allow:
-// an irregular grid that would be too large even with least detail (merge.h), a hierarchy of too many
-// primitives, or too far away. The choice depends on the geometry and the options alone. Kind automatic with
-// a given division is uniform.
+// In this order one takes the place of those before it if rays are expected to take 5 % less time through it
+// on options.processor (sampled_costs.h). Left out is what the geometry doesn't allow: a grid that would take
+// much more than eight times a hierarchy's time or memory to build or to sample, in counts of references,
+// fragments, words, steps and tests; a hierarchy of too many primitives, or too far away. Where no grid is
+// left of those asked for, a coarser one is built. The choice depends on the geometry and the options alone.
+// Kind automatic with a given division is uniform.
 //
-// Throws Error(usage, "division", …) for a division that is too fine, or needs more memory than there is, and
-// as the builder does.
+// Throws Error(usage, "division", …) for a given division that is too fine, or where there is less memory
+// than is needed, and as the builder does.
 template <class Stored>
 DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
                            const BuildOptions& options);

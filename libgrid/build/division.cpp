@@ -204,13 +204,24 @@ double expected_references(const SurfaceSums& sums, const GridLayout& layout) {
   const auto face = [&](double total, int u, int v) {
     return layout.division[u] > 1 && layout.division[v] > 1 ? total / (h[u] * h[v]) : 0.0;
   };
-  return static_cast<double>(sums.primitives) + over(e.x, 0) + over(e.y, 1) + over(e.z, 2) + face(p.x, 1, 2) +
-         face(p.y, 2, 0) + face(p.z, 0, 1);
+  const Vec3d g{1 + over(2 * layout.margin, 0), 1 + over(2 * layout.margin, 1),
+                1 + over(2 * layout.margin, 2)}; // a voxel's sides with the margin, in voxels
+  const auto primitives = static_cast<double>(sums.primitives);
+  const double references = primitives * g.x * g.y * g.z + over(e.x, 0) * g.y * g.z +
+                            over(e.y, 1) * g.z * g.x + over(e.z, 2) * g.x * g.y + face(p.x, 1, 2) * g.x +
+                            face(p.y, 2, 0) * g.y + face(p.z, 0, 1) * g.z;
+  return std::min(references, primitives * static_cast<double>(voxel_count(layout.division)));
 }
 
-double most_references(const DivisionStatistics& statistics) {
-  constexpr double always = 0x1p24, a_primitive = 128;
-  return always + a_primitive * static_cast<double>(statistics.all.primitives);
+namespace {
+constexpr double always_references = 0x1p16;
+}
+
+double most_references(std::uint64_t primitives) {
+  return always_references + 128 * static_cast<double>(primitives);
+}
+double most_nested_references(std::uint64_t primitives) {
+  return always_references + 16 * static_cast<double>(primitives);
 }
 
 template <class Real>
@@ -302,43 +313,52 @@ double nested_density(const DivisionStatistics& statistics, const Boxd& space) {
   return std::max(usual, of_cones * statistics.cone_share);
 }
 
-Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {
+Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space, double margin) {
   constexpr double tolerance = 1.05;
   constexpr int steps_an_octave = 3, max_octaves = 27; // up to 2^27 voxels
   const Vec3d extent = space.max - space.min;
+  const double most = most_references(statistics.all.primitives);
   std::vector<std::pair<double, Vec3i>> candidates;
   double best = std::numeric_limits<double>::max();
+  std::size_t allowed = 0; // of the candidates
   for (int step = 0; step <= steps_an_octave * max_octaves; ++step) {
     const Vec3d per_unit = equal_sides(extent, std::exp2(static_cast<double>(step) / steps_an_octave));
-    if (largest_magnitude(extent * per_unit) > largest_division / 2.0) break;
+    if (!(largest_magnitude(extent * per_unit) <= largest_division / 2.0)) break;
     const Vec3i division = division_of(extent, per_unit);
-    const GridLayout layout{space, division, 0};
-    if (expected_references(statistics.all, layout) > most_references(statistics)) break;
+    const GridLayout layout{space, division, margin};
+    const double references = expected_references(statistics.all, layout);
+    // The best may be finer than what is allowed: then the finest that is allowed comes closest to it.
+    if (references > most + 0x1p24) break;
     const double cost = expected_cost(statistics, layout);
     candidates.emplace_back(cost, division);
     best = std::min(best, cost);
+    if (references <= most) allowed = candidates.size();
   }
-  for (const auto& [cost, division] : candidates) {
-    if (cost <= best * tolerance) return division;
+  for (std::size_t i = 0; i < allowed; ++i) {
+    if (candidates[i].first <= best * tolerance) return candidates[i].second;
   }
-  return {1, 1, 1};
+  return allowed > 0 ? candidates[allowed - 1].second : Vec3i{1, 1, 1};
 }
 
-Vec3i nested_division(const DivisionStatistics& statistics, const Boxd& space) {
+Vec3i nested_division(const DivisionStatistics& statistics, const Boxd& space, double margin) {
   const Vec3d extent = space.max - space.min;
   const double count = static_cast<double>(std::max<std::uint64_t>(statistics.all.primitives, 1));
   double voxels = std::clamp(nested_density(statistics, space) * count, 1.0, max_nested);
   for (;; voxels /= 2) {
-    const Vec3i division = division_of(extent, equal_sides(extent, voxels));
-    if (voxels <= 1 ||
-        expected_references(statistics.all, {space, division, 0}) <= most_references(statistics))
+    const Vec3d per_unit = equal_sides(extent, voxels);
+    const bool fits = largest_magnitude(extent * per_unit) <= largest_division;
+    if (!fits && voxels > 1) continue;
+    const Vec3i division = fits ? division_of(extent, per_unit) : Vec3i{1, 1, 1};
+    if (voxels <= 1 || expected_references(statistics.all, {space, division, margin}) <=
+                           most_nested_references(statistics.all.primitives))
       return division;
   }
 }
 
 } // namespace
 
-Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space) {
+Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space,
+                      double margin) {
   const Vec3d extent = space.max - space.min;
   const double count = static_cast<double>(std::max<std::uint64_t>(statistics.all.primitives, 1));
   const double longest = std::max(extent.x, std::max(extent.y, extent.z));
@@ -356,9 +376,9 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
   case DivisionRule::Kind::cleary:
     return division_of(extent, equal_sides(extent, std::max(1.0, rule.parameter * count)));
   case DivisionRule::Kind::automatic:
-    return automatic_division(statistics, space);
+    return automatic_division(statistics, space, margin);
   case DivisionRule::Kind::nested:
-    return nested_division(statistics, space);
+    return nested_division(statistics, space, margin);
   }
   return {1, 1, 1};
 }
@@ -366,8 +386,9 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
 template <class Real>
 GridLayout make_grid_layout(const Boxd& bounds, SpaceRule space_rule, const DivisionRule& rule,
                             const DivisionStatistics& statistics) {
-  const Boxd space = space_of<Real>(bounds, space_rule);
-  return layout_in<Real>(bounds, choose_division(rule, statistics, space), space_rule);
+  GridLayout layout = layout_in<Real>(bounds, {1, 1, 1}, space_rule);
+  layout.division = choose_division(rule, statistics, layout.space, layout.margin);
+  return layout;
 }
 template GridLayout make_grid_layout<float>(const Boxd&, SpaceRule, const DivisionRule&,
                                             const DivisionStatistics&);

@@ -25,7 +25,7 @@ enum class SpaceRule { tight, cube };
 //   nested         cleary for voxels that will be divided further: λ is from 0.05 to 1, the larger the more
 //                  of the space lies beyond where most primitives are; or, if that is more, 32 times the
 //                  cones' share of the primitives
-// The last two are no finer than 2^24 expected references and 128 a primitive allow.
+// The last two are no finer than largest_division, most_references() and most_nested_references() allow.
 struct DivisionRule {
   enum class Kind { fixed, cube_root, woo, heterogeneous, cleary, automatic, nested } kind = Kind::automatic;
   Vec3i fixed{1, 1, 1};
@@ -59,14 +59,16 @@ template <class Stored>
 DivisionStatistics division_statistics(const SceneView<Stored>& scene);
 
 // About how many references the primitives make under the exact overlap test: a convex piece of surface,
-// placed at random, meets 1 + Σ extent/side + Σ projection/(area of a voxel's face) voxels (its Minkowski sum
-// with a voxel, by volume).
+// placed at random, meets as many voxels as its Minkowski sum with one holds by volume. With the margin, a
+// voxel is larger by it on either side.
 double expected_references(const SurfaceSums& sums, const GridLayout& layout);
 
-// How many references a division that nobody gave may make: many more than scenes need. Without a limit,
-// large primitives that lie on each other would be divided for the last percents of the expected cost, and
-// take any amount of memory. It depends on the scene alone: so the grid is the same on any machine.
-double most_references(const DivisionStatistics& statistics);
+// How many references a division that nobody gave may make: more than scenes need, whose references take
+// about eight times a hierarchy's memory and time. Without a limit, large primitives that lie on each other
+// would be divided for the last percents of the expected cost. It depends on the scene alone: so the grid is
+// the same on any machine. Voxels that will be divided further make far fewer.
+double most_references(std::uint64_t primitives);
+double most_nested_references(std::uint64_t primitives);
 
 // The box that is divided, its padding included, in numbers that Real holds: the tight one around `bounds`
 // (that of all primitives), or the smallest cube about the local origin that holds it.
@@ -77,8 +79,10 @@ Boxd space_of(const Boxd& bounds, SpaceRule rule);
 template <class Real>
 GridLayout layout_in(const Boxd& bounds, const Vec3i& division, SpaceRule rule = SpaceRule::tight);
 
-// At least 1 along each axis. Throws Error(usage, "division", …) when an axis would pass largest_division.
-Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space);
+// At least 1 along each axis. Throws Error(usage, "division", …) when an axis would pass largest_division by
+// a rule that was given.
+Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space,
+                      double margin);
 
 // The layout that a grid for arithmetic of type Real is built on.
 template <class Real>

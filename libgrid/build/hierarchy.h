@@ -8,7 +8,8 @@
 
 namespace masu {
 
-// The most primitives of a hierarchy: with what is divided, fragments and nodes can still be numbered.
+// The most primitives of a hierarchy, 421,075,224: with what is divided, fragments and nodes can still be
+// numbered.
 inline constexpr double spare_leaves = 0.7;  // a primitive, for the parts of those that are divided before
 inline constexpr double spare_fragments = 2; // a leaf, for what is divided later
 inline constexpr auto max_hierarchy_primitives =

@@ -24,12 +24,7 @@ MASU_HD inline MergedCell packed(const VoxelBox& box, std::uint32_t list) {
 std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options);
 
 inline constexpr const char* too_many_cells = "more than 2^31 cells or references";
-inline constexpr const char* too_many_words = "more than 2^27 words for its map";
-
-// Where an irregular grid has more cells, references or words of its map than can be numbered, planes twice
-// as far apart are tried: with half of the detail, but no less than this. That takes a third of the words or
-// less, and hardly adds references.
-inline constexpr double least_detail = 0.1;
+inline constexpr const char* too_many_fragments = "lists that hardly get shorter where they are divided";
 
 // What exceeds a limit, or nullptr: before building, for too many voxels; and for what has become too large,
 // the map being of `words` words, the first top_words of them its top level.

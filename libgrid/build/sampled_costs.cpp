@@ -15,8 +15,6 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t rays_per_set = 2048;
-
 struct StepCounts {
   static constexpr bool is_counted = true;
   std::uint64_t steps = 0, tests = 0;
@@ -79,12 +77,12 @@ RayCost mean(const std::vector<StepCounts>& counts, std::size_t rays) {
 }
 
 template <class Stored, class View>
-SampledCosts costs_through(const SceneView<Stored>& scene, const View& view) {
+SampledCosts costs_through(const SceneView<Stored>& scene, const View& view, const SampleLimits& limits) {
   const Boxd space = cast<double>(scene.clip);
   const Sphere<double> sphere = sphere_around(space);
-  std::vector<StepCounts> across(rays_per_set), aimed(rays_per_set), scattered(rays_per_set);
-  std::vector<std::uint8_t> is_hit(rays_per_set);
-  tbb::parallel_for(std::size_t{0}, rays_per_set, [&](std::size_t i) {
+  std::vector<StepCounts> across(limits.rays), aimed(limits.rays), scattered(limits.rays);
+  std::vector<std::uint8_t> is_hit(limits.rays);
+  const auto trace_one = [&](std::size_t i) {
     RandomSequence random(1, i);
     across[i] = trace(scene, view, ray_across(sphere, random), random).counts;
     const Traced first = trace(scene, view, aimed_ray(scene, space, random), random);
@@ -92,9 +90,22 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view) {
     if (!first.scattered) return;
     is_hit[i] = 1;
     scattered[i] = trace(scene, view, *first.scattered, random).counts;
-  });
+  };
+  // Twice as many each time: few where a single ray takes long.
+  SampledCosts costs;
+  while (costs.rays < limits.rays && costs.work <= limits.work) {
+    const std::size_t end = std::min(limits.rays, std::max<std::size_t>(16, 2 * costs.rays));
+    tbb::parallel_for(costs.rays, end, trace_one);
+    for (std::size_t& i = costs.rays; i != end; ++i) {
+      for (const StepCounts& counts : {across[i], aimed[i], scattered[i]})
+        costs.work += counts.steps + counts.tests;
+    }
+  }
   const auto hits = static_cast<std::size_t>(std::ranges::count(is_hit, 1));
-  return {mean(across, rays_per_set), mean(aimed, rays_per_set), mean(scattered, hits)};
+  costs.across = mean(across, costs.rays);
+  costs.aimed = mean(aimed, costs.rays);
+  costs.scattered = mean(scattered, hits);
+  return costs;
 }
 
 // Of a step to a cell or a node, and of a test: not seconds, but rounded numbers by which the choice among
@@ -118,14 +129,14 @@ UnitCosts unit_costs(GridKind kind, Processor processor) {
 } // namespace
 
 template <class Stored>
-SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid) {
+SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid, const SampleLimits& limits) {
   SampledCosts costs;
   if (scene.primitive_count() == 0) return costs;
-  with_grid_view<double>(grid, [&](const auto& view) { costs = costs_through(scene, view); });
+  with_grid_view<double>(grid, [&](const auto& view) { costs = costs_through(scene, view, limits); });
   return costs;
 }
-template SampledCosts sampled_costs(const SceneView<float>&, const Grid&);
-template SampledCosts sampled_costs(const SceneView<double>&, const Grid&);
+template SampledCosts sampled_costs(const SceneView<float>&, const Grid&, const SampleLimits&);
+template SampledCosts sampled_costs(const SceneView<double>&, const Grid&, const SampleLimits&);
 
 double expected_time(const SampledCosts& costs, GridKind kind, Processor processor) {
   const UnitCosts unit = unit_costs(kind, processor);

@@ -16,11 +16,19 @@ struct RayCost {
 // They depend on the scene's geometry alone.
 struct SampledCosts {
   RayCost across, aimed, scattered;
+  std::size_t rays = 0;   // traced of each set
+  std::uint64_t work = 0; // steps and tests of all
+};
+
+// How many rays of each set are traced; fewer once more than so many steps and tests have been made.
+struct SampleLimits {
+  std::size_t rays = 2048;
+  std::uint64_t work = ~std::uint64_t{0};
 };
 
 // The grid is of the scene, of any kind, and its space no farther than a hierarchy's may be.
 template <class Stored>
-SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid);
+SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid, const SampleLimits& limits = {});
 
 // About how long rays take through a structure of the kind: the geometric mean of the sets, in steps to a
 // cell of an irregular grid on that processor.

@@ -6,10 +6,17 @@
 // the front first. So a primitive that is listed in several cells is found several times, but kept once; and
 // a pass that keeps n hits ends as a search for the nearest does (trace.h), once nothing that is still to
 // come can come before the n-th.
+//
+// A pass keeps 16 hits. On the host the passes after the first keep 16 times as many each time, up to 65536
+// (2 MiB): so n hits take n log n steps, not n² as on a device.
 #pragma once
 
 #include "libgrid/trace/any_structure.h"
 #include "libscene/geometry/each_hit.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace masu {
 
@@ -45,34 +52,16 @@ struct SidedHit {
   }
 };
 
-inline constexpr int hits_per_pass = 16;
+inline constexpr int hits_per_pass = 16, most_hits_per_pass = 1 << 16;
 
-// Keeps the first `capacity` hits after `last`, in order.
-template <class M, class Stored>
-struct NextHits {
-  using Real = typename M::Real;
-  const SceneView<Stored>& scene;
-  const typename M::TestRay& ray;
-  NoWalkCounts& counts;
-  Real t_max;
-  HitFilter filter;
-  int capacity = hits_per_pass;
-  SidedHit<Real> last; // of those before
-  SidedHit<Real> hits[hits_per_pass];
+// The first `capacity` hits after `last`, in order: few, in registers and a device's local memory.
+template <class Real>
+struct FewHits {
+  int capacity; // up to hits_per_pass
+  SidedHit<Real> last;
+  SidedHit<Real> hits[hits_per_pass]{};
   int count = 0;
 
-  MASU_HD void primitive(PrimitiveIndex number) {
-    if (!filter.admits(scene, number)) return;
-    each_hit<M::kinds>(scene, ray, number, filter.edges, [&](Real t, bool front) {
-      if (t < t_max && filter.admits(front)) keep({t, number << 1 | (front ? 0U : 1U)});
-    });
-  }
-  MASU_HD bool is_full() const { return count == capacity; }
-  MASU_HD Real farthest() const { return is_full() ? hits[count - 1].t : t_max; }
-  MASU_HD bool done(Real exit) const { return farthest() <= exit; }
-  MASU_HD bool ends() const { return false; }
-
-private:
   MASU_HD void keep(const SidedHit<Real>& hit) {
     if (!last.before(hit) || (is_full() && !hit.before(hits[count - 1]))) return;
     int at = count;
@@ -84,6 +73,61 @@ private:
       hits[i] = hits[i - 1];
     hits[at] = hit;
   }
+  MASU_HD void sort() {}
+  MASU_HD bool is_full() const { return count == capacity; }
+  MASU_HD Real farthest(Real t_max) const { return is_full() ? hits[count - 1].t : t_max; }
+};
+
+// The same, many, on the host. They are sorted whenever they have become twice as many, so that each takes
+// the logarithm of their number; in between what is farthest isn't known better.
+template <class Real>
+struct ManyHits {
+  int capacity;
+  SidedHit<Real> last;
+  std::vector<SidedHit<Real>> hits{};
+  int count = 0; // of those sorted
+
+  void keep(const SidedHit<Real>& hit) {
+    if (!last.before(hit) || (is_full() && !hit.before(hits[end() - 1]))) return;
+    hits.push_back(hit);
+    if (hits.size() == 2 * end_of_room()) sort();
+  }
+  void sort() {
+    const auto before = [](const SidedHit<Real>& a, const SidedHit<Real>& b) { return a.before(b); };
+    std::sort(hits.begin(), hits.end(), before);
+    const auto same = [&](const SidedHit<Real>& a, const SidedHit<Real>& b) { return !a.before(b); };
+    hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
+    if (hits.size() > end_of_room()) hits.resize(end_of_room());
+    count = static_cast<int>(hits.size());
+  }
+  bool is_full() const { return count == capacity; }
+  Real farthest(Real t_max) const { return is_full() ? hits[end() - 1].t : t_max; }
+
+private:
+  std::size_t end() const { return static_cast<std::size_t>(count); }
+  std::size_t end_of_room() const { return static_cast<std::size_t>(capacity); }
+};
+
+// Keeps the next hits of a ray.
+template <class M, class Stored, class Room>
+struct NextHits {
+  using Real = typename M::Real;
+  const SceneView<Stored>& scene;
+  const typename M::TestRay& ray;
+  NoWalkCounts& counts;
+  Real t_max;
+  HitFilter filter;
+  Room room;
+
+  MASU_HD void primitive(PrimitiveIndex number) {
+    if (!filter.admits(scene, number)) return;
+    each_hit<M::kinds>(scene, ray, number, filter.edges, [&](Real t, bool front) {
+      if (t < t_max && filter.admits(front)) room.keep({t, number << 1 | (front ? 0U : 1U)});
+    });
+  }
+  MASU_HD Real farthest() const { return room.farthest(t_max); }
+  MASU_HD bool done(Real exit) const { return farthest() <= exit; }
+  MASU_HD bool ends() const { return false; }
 };
 
 // Calls act(i, near, front) for hit i, from 0 to below `limit`, at t_min < t < t_max; `near` as
@@ -100,19 +144,31 @@ MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const
   NoWalkCounts counts;
   SidedHit<Real> last{near.ray.t_min, 0xffffffffU}; // every hit comes after it
   std::uint32_t all = 0;
-  while (all < limit) {
-    const int capacity = limit - all < hits_per_pass ? static_cast<int>(limit - all) : hits_per_pass;
-    NextHits<M, Stored> next{scene, test_ray, counts, near.ray.t_max, filter, capacity, last, {}, 0};
+  const auto room_for = [&](int most) {
+    return limit - all < static_cast<std::uint32_t>(most) ? static_cast<int>(limit - all) : most;
+  };
+  // False where there are no more.
+  const auto pass = [&](auto room) {
+    NextHits<M, Stored, decltype(room)> next{scene,          test_ray, counts,
+                                             near.ray.t_max, filter,   std::move(room)};
     visit(grid, near, scene.primitive_count(), next);
-    for (int i = 0; i < next.count; ++i) {
-      const SidedHit<Real>& hit = next.hits[i];
-      act(all + static_cast<std::uint32_t>(i),
-          NearHit<typename M::TestRay>{test_ray, {hit.t, hit.primitive()}, near.skipped}, hit.front());
+    next.room.sort();
+    for (int i = 0; i < next.room.count; ++i) {
+      last = next.room.hits[i];
+      act(all++, NearHit<typename M::TestRay>{test_ray, {last.t, last.primitive()}, near.skipped},
+          last.front());
     }
-    all += static_cast<std::uint32_t>(next.count);
-    if (!next.is_full()) break;
-    last = next.hits[next.count - 1];
-  }
+    return next.room.is_full();
+  };
+  bool goes_on = limit > 0;
+#ifdef __CUDA_ARCH__
+  while (goes_on && all < limit)
+    goes_on = pass(FewHits<Real>{room_for(hits_per_pass), last});
+#else
+  if (goes_on) goes_on = pass(FewHits<Real>{room_for(hits_per_pass), last});
+  for (int most = 16 * hits_per_pass; goes_on && all < limit; most = std::min(16 * most, most_hits_per_pass))
+    goes_on = pass(ManyHits<Real>{room_for(most), last});
+#endif
   return all;
 }
 

@@ -8,6 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
 namespace masu {
 namespace {
 
@@ -105,6 +111,121 @@ TYPED_TEST(Fastest, CostsAreTheSameForAnyNumberOfThreads) {
 TYPED_TEST(Fastest, IsAUniformGridForASceneWithoutPrimitives) {
   TestScene<TypeParam> scene;
   EXPECT_EQ(built(scene, GridKind::fastest).kind, GridKind::uniform);
+}
+
+// --- What an automatic choice may take -------------------------------------------------------------------
+
+// The CPU's, and the bytes of the largest structure that it has built, and how many it has.
+class Watched final : public GridBuilder<float> {
+public:
+  explicit Watched(const SceneView<float>& scene) : builder_(cpu_builder(scene)) {}
+  Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
+    Grid grid = builder_->try_build(layout, overlap, options);
+    largest = std::max(largest, 4 * grid.voxel_map.size() + 4 * grid.references.size() +
+                                    sizeof(MergedCell) * grid.cells.size() +
+                                    sizeof(HierarchyNode) * grid.nodes.size());
+    fragments = std::max(fragments, options.kind == GridKind::irregular ? options.max_fragments : 0);
+    return grid;
+  }
+  bool refit(const GridLayout& layout, Grid& hierarchy) override {
+    return builder_->refit(layout, hierarchy);
+  }
+  const SceneView<float>& scene() const override { return builder_->scene(); }
+
+  std::size_t largest = 0;
+  std::uint64_t fragments = 0;
+
+private:
+  std::unique_ptr<GridBuilder<float>> builder_;
+};
+
+// What lies on each other, or crosses in one place, or is larger than the rest, or lies far from zero, so
+// that lists don't get shorter where they are divided; and a strip that is longer than an axis has voxels.
+std::vector<std::pair<const char*, TestScene<float>>> hard_scenes(Chance& chance) {
+  std::vector<std::pair<const char*, TestScene<float>>> scenes;
+  const auto add = [&](const char* name, int count, const auto& make) {
+    TestScene<float> scene;
+    for (int i = 0; i < count; ++i)
+      make(scene, i);
+    scenes.emplace_back(name, std::move(scene));
+  };
+  const auto triangle = [](TestScene<float>& scene, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    scene.triangles.push_back(triangle_of(cast<float>(a), cast<float>(b), cast<float>(c)));
+  };
+  const auto around = [](double turn) { return Vec3d{std::cos(turn), std::sin(turn), 0}; };
+  add("ribbon", 150'000, [&](auto& scene, int i) {
+    const double x = i;
+    triangle(scene, {x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0});
+  });
+  add("needles in a plane", 400, [&](auto& scene, int) {
+    Vec3d at = chance.in_cube(1), along = around(chance.uniform(0, 6.28)) * 0.5;
+    at.z = 0;
+    triangle(scene, at - along, at + along, at + along + Vec3d{-along.y, along.x, 0} * 0.004);
+  });
+  add("needles in all directions", 10'000, [&](auto& scene, int) {
+    const Vec3d at = chance.in_cube(1), along = chance.direction();
+    triangle(scene, at - along, at + along, at + along + chance.in_cube(0.0005));
+  });
+  add("fan", 2000, [&](auto& scene, int i) {
+    triangle(scene, {0, 0, 0}, around(i * 0.00314), around((i + 1) * 0.00314));
+  });
+  add("equal triangles", 20'000, [&](auto& scene, int) {
+    triangle(scene, {0, 0, 0}, {1, 0, 0.1}, {0, 1, 0.3});
+  });
+  add("nested triangles", 200, [&](auto& scene, int i) {
+    const double size = std::exp2(-0.1 * i);
+    triangle(scene, {0, 0, 0}, {size, 0, 0}, {0, size, 0});
+  });
+  add("few large through many small", 20'000, [&](auto& scene, int i) {
+    const Vec3d at = i < 10 ? Vec3d{} : chance.in_cube(0.01);
+    const double size = i < 10 ? 10 : 0.0005;
+    triangle(scene, at + chance.in_cube(size), at + chance.in_cube(size), at + chance.in_cube(size));
+  });
+  add("far from zero", 300, [&](auto& scene, int i) {
+    const Vec3d at = Vec3d{762, 0, 0} + Vec3d{i % 2 == 0 ? 0.0 : 5.0, 0, 0} + chance.in_cube(0.01);
+    triangle(scene, at + chance.in_cube(0.001), at + chance.in_cube(0.001), at + chance.in_cube(0.001));
+  });
+  add("equal cones", 5000, [&](auto& scene, int) {
+    scene.cones.push_back(cone_of<float>({0, 0, 0}, 1, {0.3F, 0.5F, 2}, 0.5F));
+  });
+  return scenes;
+}
+
+class Choices : public RandomTest, public testing::WithParamInterface<GridKind> {};
+
+TEST_P(Choices, TakeNoMoreThanAHierarchyEightTimes) {
+  for (auto& [name, scene] : hard_scenes(chance_)) {
+    SCOPED_TRACE(name);
+    const SceneView<float> view = scene.view();
+    const std::size_t count = view.primitive_count();
+    Watched builder(view);
+    BuildOptions options;
+    options.grid.kind = GetParam();
+    const DescribedGrid built = build_chosen(builder, {scene.bounds(), Hash{1, 2}}, options);
+    EXPECT_EQ(built.grid.exceeded, nullptr);
+    // While it is built a hierarchy takes 300 bytes per primitive. Maps with a word for each voxel are small,
+    // or were asked for.
+    const bool asked = GetParam() == GridKind::x || GetParam() == GridKind::balance;
+    EXPECT_LE(builder.largest, (std::size_t{1} << (asked ? 28 : 25)) + 8 * 300 * count);
+    EXPECT_LE(builder.fragments, (std::uint64_t{1} << 16) + 128 * count);
+    for (const Considered& considered : built.considered)
+      EXPECT_LE(considered.costs.work, (std::uint64_t{1} << 24) + 500 * count);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(OfAllKinds, Choices,
+                         testing::Values(GridKind::fastest, GridKind::automatic, GridKind::uniform,
+                                         GridKind::x, GridKind::balance, GridKind::irregular));
+
+// A hierarchy of what lies on each other is as slow as anything: its rays are few.
+TYPED_TEST(Fastest, SamplesFewRaysWhereEachTakesLong) {
+  TestScene<TypeParam> scene;
+  for (int i = 0; i < 20'000; ++i)
+    scene.triangles.push_back(triangle_of<TypeParam>({0, 0, 0}, {1, 0, 0.1F}, {0, 1, 0.3F}));
+  const SampledCosts all = sampled_costs(scene.view(), built(scene, GridKind::hierarchy), {64});
+  const SampledCosts some = sampled_costs(scene.view(), built(scene, GridKind::hierarchy), {2048, all.work});
+  EXPECT_EQ(all.rays, 64U);
+  EXPECT_EQ(some.rays, 128U);
+  EXPECT_EQ(sampled_costs(scene.view(), built(scene, GridKind::hierarchy), {64, 0}).rays, 16U);
 }
 
 TEST(FastestAnywhere, IsAGridWhereNoHierarchyReaches) {

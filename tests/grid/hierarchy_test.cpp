@@ -312,6 +312,7 @@ TEST(Hierarchies, OfMorePrimitivesThanThereIsMemoryOrNumbersForAreRefused) {
   constexpr double plenty = 1e18;
   EXPECT_NO_THROW(check_hierarchy(1000, 300000));
   EXPECT_TRUE(refused(1000, 299999, "free: build a grid"));
+  EXPECT_EQ(max_hierarchy_primitives, 421'075'224U); // as gridbuild.md and many-machines.md say
   EXPECT_NO_THROW(check_hierarchy(max_hierarchy_primitives, plenty));
   EXPECT_TRUE(refused(max_hierarchy_primitives + 1, plenty, "can be numbered"));
   // With what is divided, references have 31 bits, and twice as many binary nodes 32.

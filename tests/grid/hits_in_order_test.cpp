@@ -111,7 +111,8 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
     if (!scene.triangles.empty() && chance.one_in(4)) { // more hits than a pass keeps, some of them ties
       const Triangle<Real> triangle = scene.triangles[chance.index(scene.triangles.size())];
       const Vec3<Real> step = (triangle.b - triangle.a) * static_cast<Real>(chance.one_of({0.0, 0.01}));
-      for (int i = 0; i < 60; ++i) {
+      const int layers = chance.one_in(8) ? 800 : 60;
+      for (int i = 0; i < layers; ++i) {
         const Vec3<Real> by = step * static_cast<Real>(i / 2);
         scene.triangles.push_back(triangle_of(triangle.a + by, triangle.b + by, triangle.c + by));
       }
@@ -145,6 +146,39 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
   }
   EXPECT_GT(hits, static_cast<std::size_t>(cases(5000)));
   EXPECT_GT(many, static_cast<std::size_t>(cases(50)));
+}
+
+// Every primitive is tried, and counted.
+struct CountedTrials {
+  std::uint64_t* shown;
+};
+template <class Real, class Visitor>
+void visit(const CountedTrials& trials, const ClippedRay<Real>& near, std::uint32_t primitives,
+           Visitor& visitor) {
+  visit(NoGrid{}, near, primitives, visitor);
+  *trials.shown += primitives;
+}
+
+// Of n primitives that all are hit, and at one place or at many.
+TYPED_TEST(HitsInOrder, TakeAFewPassesHoweverManyThereAre) {
+  using Real = TypeParam;
+  for (const double apart : {0.0, 0.25}) {
+    for (const std::uint32_t n : {1000U, 10'000U, 100'000U}) {
+      TestScene<Real> scene;
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const double z = apart * ((i * 7919U) % n); // in no order
+        scene.triangles.push_back(triangle_of<Real>(
+            {-1, -1, static_cast<Real>(z)}, {2, -1, static_cast<Real>(z)}, {-1, 2, static_cast<Real>(z)}));
+      }
+      const SceneView<Real> view = scene.view();
+      const Ray<Real> ray = unbounded_ray<Real>({0, 0, -1}, {0, 0, 1});
+      std::uint64_t shown = 0;
+      const List<Real> list = listed(view, CountedTrials{&shown}, ray, {});
+      EXPECT_EQ(list.size(), n);
+      EXPECT_LE(shown, 6U * n) << n << " hits " << apart << " apart";
+      EXPECT_EQ(list, tried(view, ray, {}));
+    }
+  }
 }
 
 // Also of meshes so small that products of two coordinates underflow.

@@ -7,6 +7,7 @@
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
+#include "tests/refused.h"
 #include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
@@ -152,6 +153,42 @@ TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
     EXPECT_THROW(cpu_builder(scene.view())->build(layout, Overlap::exact, options), Error);
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
+}
+
+// Whoever builds it, and in whatever order its parts are built.
+TYPED_TEST(Merged, ListsThatHardlyGetShorterAreDividedUpToALimit) {
+  Chance& chance = this->chance_;
+  std::int64_t exceeded = 0, less = 0;
+  for (std::int64_t s = cases(60); s > 0; --s) {
+    TestScene<TypeParam> scene; // long and thin, through each other
+    for (int i = 0; i < 200; ++i) {
+      const Vec3d at = chance.in_cube(0.2), along = chance.direction();
+      const auto near = [&](const Vec3d& point) { return cast<TypeParam>(point + chance.in_cube(0.01)); };
+      scene.triangles.push_back(triangle_of(near(at - along), near(at + along), near(at + along)));
+    }
+    GridOptions options = random_grid_options(chance);
+    GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
+    if (options.kind == GridKind::irregular) layout.division = random_division(chance, 9);
+    options.nested_log2 = std::min(options.nested_log2, 3);
+    options.max_fragments = static_cast<std::uint64_t>(chance.power_of_two(8, 20));
+    const auto builder = cpu_builder(scene.view());
+    const Grid grid = builder->try_build(layout, Overlap::exact, options);
+    DeviceLikeExecutor executor;
+    const Grid other = merged_grid(executor, scene.view(), layout, Overlap::exact, options);
+    ASSERT_EQ(grid.exceeded == nullptr, other.exceeded == nullptr) << described(grid);
+    exceeded += grid.exceeded != nullptr;
+    if (grid.exceeded != nullptr) {
+      EXPECT_TRUE(is_refused_with(ErrorCode::usage, "division",
+                                  [&] { builder->build(layout, Overlap::exact, options); }));
+      continue;
+    }
+    expect_same(grid, other);
+    EXPECT_TRUE(options.kind == GridKind::x || grid.references.size() <= options.max_fragments);
+    less += options.kind == GridKind::irregular && grid.detail < options.detail;
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+  EXPECT_GT(exceeded, 0);
+  EXPECT_GT(less, 0);
 }
 
 // nff2bin writes no such scene, but a file may hold one: areas and volumes are then infinite, or nothing.

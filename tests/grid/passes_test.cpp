@@ -21,7 +21,8 @@ class DeviceLikeBuilder final : public GridBuilder<Stored> {
 public:
   explicit DeviceLikeBuilder(const SceneView<Stored>& scene) : scene_(scene) {}
   Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    if (options.kind == GridKind::uniform) return uniform_grid(executor_, scene_, layout, overlap);
+    if (options.kind == GridKind::uniform)
+      return uniform_grid(executor_, scene_, layout, overlap, options.max_references, options.max_map_words);
     if (options.kind != GridKind::hierarchy) return merged_grid(executor_, scene_, layout, overlap, options);
     if (options.quality == HierarchyQuality::high) return {hierarchy_grid(scene_, layout)};
     return collapsed_hierarchy(

@@ -101,9 +101,10 @@ ArrayOf<Executor, Fragment> fragments_of(Executor& executor, const Splitter<Stor
 
 // The occupied voxels, split into cells.
 template <class Executor, class Stored>
-std::vector<SplitLevel<Executor>>
-split_voxels(Executor& executor, const Splitter<Stored>& splitter, const Vec3i& division,
-             std::int32_t nested_log2, const VoxelSpan& span, const OccupiedVoxels<Executor>& occupied) {
+std::vector<SplitLevel<Executor>> split_voxels(Executor& executor, const Splitter<Stored>& splitter,
+                                               const Vec3i& division, std::int32_t nested_log2,
+                                               const VoxelSpan& span,
+                                               const OccupiedVoxels<Executor>& occupied, FragmentSum& sum) {
   const std::uint64_t voxels = occupied.indices.size();
   const std::uint32_t *const index = occupied.indices.data(), *const begin = occupied.begins.data(),
                              *const number = occupied.numbers.data();
@@ -123,7 +124,7 @@ split_voxels(Executor& executor, const Splitter<Stored>& splitter, const Vec3i& 
   executor.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
     boxes[i] = open_box(box_of_voxel(i), kept_before[begin[i]], kept_before[begin[i + 1]]);
   });
-  return split_all(executor, splitter, std::move(level), std::move(fragments));
+  return split_all(executor, splitter, std::move(level), std::move(fragments), sum);
 }
 
 // The occupied voxels as cells.
@@ -260,14 +261,15 @@ void write_nested_maps(Executor& executor, const Vec3i& division, const VoxelSpa
 // of the span's voxels, and what they lead to.
 template <class Executor, class Stored>
 ExecutorGrid<Executor> merged_part(Executor& executor, const Splitter<Stored>& splitter,
-                                   const GridLayout& layout, std::int32_t nested_log2,
-                                   const VoxelSpan& span) {
+                                   const GridLayout& layout, std::int32_t nested_log2, const VoxelSpan& span,
+                                   FragmentSum& sum) {
   const Vec3i division = layout.division;
   const GridKind kind = splitter.options.kind;
   ExecutorGrid<Executor> grid{layout, kind, 0, nested_log2};
   OccupiedVoxels<Executor> occupied = occupied_voxels(executor, span);
-  auto levels = kind == GridKind::x ? unsplit_voxels(executor, division, span, occupied)
-                                    : split_voxels(executor, splitter, division, nested_log2, span, occupied);
+  auto levels = kind == GridKind::x
+                    ? unsplit_voxels(executor, division, span, occupied)
+                    : split_voxels(executor, splitter, division, nested_log2, span, occupied, sum);
   occupied.numbers = {};
   if ((grid.exceeded = exceeded_by_leaves(levels)) != nullptr) return grid;
 
@@ -349,7 +351,8 @@ ExecutorGrid<Executor> balanced_grid(Executor& executor, const Splitter<Stored>&
   LevelBox* const box = level.boxes.data();
   const auto count = static_cast<std::uint32_t>(fragments.size());
   executor.for_each(1, [=] MASU_PASS(std::uint64_t i) { box[i] = open_box(whole, 0, count); });
-  const auto levels = split_all(executor, splitter, std::move(level), std::move(fragments));
+  FragmentSum sum = 0;
+  const auto levels = split_all(executor, splitter, std::move(level), std::move(fragments), sum);
   if ((grid.exceeded = exceeded_by_leaves(levels)) != nullptr) return grid;
 
   const auto counts = count_leaves(executor, levels);
@@ -375,7 +378,8 @@ ExecutorGrid<Executor> merged_grid(Executor& executor, const SceneView<Stored>& 
   GridOptions tried = options;
   const auto splitter = [&] { return Splitter<Stored>(scene, finer(layout, nested_log2), overlap, tried); };
   if (options.kind == GridKind::balance) return balanced_grid(executor, splitter());
-  auto pairs = voxel_pairs(executor, scene, layout, overlap, StorageOrder(layout.division, 0));
+  auto pairs =
+      voxel_pairs(executor, scene, layout, overlap, StorageOrder(layout.division, 0), options.max_references);
   if (!pairs) {
     grid.exceeded = too_many_references;
     return grid;
@@ -383,12 +387,13 @@ ExecutorGrid<Executor> merged_grid(Executor& executor, const SceneView<Stored>& 
   const VoxelSpan all{0, voxel_count(layout.division), pairs->keys.data(), pairs->values.data(),
                       pairs->keys.size()};
   for (;; tried.detail /= 2) {
+    FragmentSum sum = 0;
     grid = {};
     grid = build_in_parts(executor, layout, all, options.max_map_words,
                           [&](auto& part_executor, const VoxelSpan& span) {
-                            return merged_part(part_executor, splitter(), layout, nested_log2, span);
+                            return merged_part(part_executor, splitter(), layout, nested_log2, span, sum);
                           });
-    if (grid.exceeded == nullptr || !irregular || tried.detail < 2 * least_detail) break;
+    if (grid.exceeded == nullptr || !irregular || tried.detail < 2 * options.least_detail) break;
   }
   if (irregular) grid.detail = tried.detail;
   pairs.reset();

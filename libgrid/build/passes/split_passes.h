@@ -8,6 +8,7 @@
 #include "libgrid/build/passes/uniform_passes.h"
 #include "libscene/base/atomic.h"
 
+#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -199,14 +200,20 @@ std::optional<SplitLevel<Executor>> split_level(Executor& executor, const Splitt
   return next;
 }
 
+// How many fragments there have been on all levels of a grid's parts, which several threads may build. Lists
+// that hardly get shorter where they are divided make more and more of them: a bound on the sum holds for the
+// grid's time and memory, and is exceeded or not in whatever order parts are built.
+using FragmentSum = std::atomic<std::uint64_t>;
+
 // All levels, from the one given down; the last has no boxes. None where there are too many fragments.
 template <class Executor, class Stored>
 std::vector<SplitLevel<Executor>> split_all(Executor& executor, const Splitter<Stored>& splitter,
-                                            SplitLevel<Executor> first,
-                                            ArrayOf<Executor, Fragment> fragments) {
+                                            SplitLevel<Executor> first, ArrayOf<Executor, Fragment> fragments,
+                                            FragmentSum& sum) {
   std::vector<SplitLevel<Executor>> levels;
   levels.push_back(std::move(first));
   while (levels.back().boxes.size() > 0) {
+    if ((sum += fragments.size()) > splitter.options.max_fragments) return {};
     auto next = split_level(executor, splitter, levels.back(), fragments);
     if (!next) return {};
     levels.push_back(std::move(*next));
@@ -217,7 +224,7 @@ std::vector<SplitLevel<Executor>> split_all(Executor& executor, const Splitter<S
 // What exceeds where there are more leaves, or references of them, than can be numbered.
 template <class Executor>
 const char* exceeded_by_leaves(const std::vector<SplitLevel<Executor>>& levels) {
-  if (levels.empty()) return too_many_cells;
+  if (levels.empty()) return too_many_fragments;
   std::uint64_t leaves = 0, references = 0;
   for (const SplitLevel<Executor>& level : levels) {
     leaves += level.boxes.size();

@@ -47,17 +47,17 @@ struct EmitOverlaps { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggr
   }
 };
 
-// Which primitives are in which voxels, by voxel in the storage order, then by primitive. None where there
-// are too many.
+// Which primitives are in which voxels, by voxel in the storage order, then by primitive. None for more than
+// `most`.
 template <class Executor>
 using VoxelPairs = Sorted<Executor, PrimitiveIndex>;
 template <class Executor, class Stored>
 std::optional<VoxelPairs<Executor>> voxel_pairs(Executor& executor, const SceneView<Stored>& scene,
                                                 const GridLayout& layout, Overlap overlap,
-                                                const StorageOrder& order) {
+                                                const StorageOrder& order, std::uint64_t most) {
   const EmitOverlaps<Stored> emit{scene, layout, overlap, order};
   return executor.template emit_sorted<PrimitiveIndex>(
-      scene.primitive_count(), static_cast<int>(std::bit_width(order.size())), max_numbered, emit);
+      scene.primitive_count(), static_cast<int>(std::bit_width(order.size())), most, emit);
 }
 
 // sums[i] is what of(0) … of(i - 1) add up to; for i up to `count`.
@@ -96,11 +96,12 @@ Part joined(Executor& executor, std::uint64_t count, const Of& of) {
 }
 
 template <class Executor, class Stored>
-ExecutorGrid<Executor> uniform_grid(Executor& executor, const SceneView<Stored>& scene,
-                                    const GridLayout& layout, Overlap overlap) {
+ExecutorGrid<Executor>
+uniform_grid(Executor& executor, const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+             std::uint64_t max_references = max_numbered, std::uint64_t max_words = ~std::uint64_t{0}) {
   check_primitives(scene.primitive_count());
   const StorageOrder order(layout.division, block_log2_for(layout.division));
-  auto pairs = voxel_pairs(executor, scene, layout, overlap, order);
+  auto pairs = voxel_pairs(executor, scene, layout, overlap, order, max_references);
   ExecutorGrid<Executor> grid{layout, GridKind::uniform, order.block_log2, 0};
   if (!pairs) {
     grid.exceeded = too_many_references;
@@ -118,7 +119,12 @@ ExecutorGrid<Executor> uniform_grid(Executor& executor, const SceneView<Stored>&
     });
     block_count = executor.value(blocks, count);
   }
-  grid.voxel_map = executor.template zeros<std::uint32_t>(block_words + (block_count << block_bits));
+  const std::uint64_t words = block_words + (block_count << block_bits);
+  if (words > max_words) {
+    grid.exceeded = too_many_words;
+    return grid;
+  }
+  grid.voxel_map = executor.template zeros<std::uint32_t>(words);
   grid.references = std::move(pairs->values);
   std::uint32_t* const map = grid.voxel_map.data();
   PrimitiveIndex* const reference = grid.references.data();
