@@ -42,8 +42,8 @@ MASU_ALWAYS_INLINE EdgeFunctions<Real> edge_functions(const WatertightRay<Real>&
 // Where a ray's line meets the plane of a triangle; `otherwise` where it runs at less than 20° to the plane,
 // or the triangle is too thin for its normal to be known.
 template <class Stored>
-MASU_HD inline float plane_t(const Vec3<float>& from, const Vec3<float>& along,
-                             const Triangle<Stored>& triangle, float otherwise) {
+MASU_SELDOM float plane_t(const Vec3<float>& from, const Vec3<float>& along, const Triangle<Stored>& triangle,
+                          float otherwise) {
   const Vec3d a = cast<double>(triangle.a), d = cast<double>(along);
   const Vec3d to_b = cast<double>(triangle.b) - a, to_c = cast<double>(triangle.c) - a,
               normal = cross(to_b, to_c);

@@ -142,7 +142,7 @@ std::string faces_obj(bool squares) {
     return squares ? fmt::format("f {} {} {} {}\n", first, first + 1, first + 2, first + 3)
                    : fmt::format("f {} {} {}\n", first, first + 1, first + 2);
   };
-  const std::string no_area = "f 1 2 3\n";
+  const std::string no_area = "f 1 2 1\n";
   return text + "o first\n" + no_area + face(4) + no_area + face(8) + "l 1 2\no second\n" + no_area +
          face(12) + face(16) + no_area;
 }

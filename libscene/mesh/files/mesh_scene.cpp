@@ -79,12 +79,15 @@ void add_triangle(Importing& state, const SceneTriangle& triangle) {
 }
 
 // Adds the triangles of the face whose corners, in the scene's coordinates, are state.corners: one that can't
-// be hit, where it has no area or no place.
+// be hit, where it has no place, or no area and not three distinct corners.
 void add_face(Importing& state, const MeshObject& object, std::uint32_t number) {
   Scene& scene = state.result.scene;
   const FileMaterial& material = state.file.materials[object.material];
   const bool has_place = std::all_of(state.corners.begin(), state.corners.end(), is_coordinate);
   if (has_place) triangulate(state.corners, state.triangulation);
+  if (has_place && state.corners.size() == 3 && // of a triangle's corners three may be on a line
+      has_distinct_corners(state.corners[0], state.corners[1], state.corners[2]))
+    state.triangulation.triangles = {{0, 1, 2}};
   if (!has_place || state.triangulation.triangles.empty()) {
     ++(has_place ? scene.warnings.degenerate_polygons : state.result.notes.invalid_faces);
     return add_triangle(state, {{}, number, {}, state.materials.index_of(material.material), {}, no_normals});
