@@ -1,6 +1,7 @@
 // What the functions of the C interface share: arguments are checked, exceptions become statuses.
 #pragma once
 
+#include "go_on.h"
 #include "libscene/base/error.h"
 #include "masu.h"
 
@@ -8,6 +9,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <new>
 #include <string>
@@ -25,6 +27,8 @@ masu_status guarded(const Act& act) noexcept {
     return MASU_OK;
   } catch (const Error& error) {
     return report(static_cast<masu_status>(error.code()), error.what());
+  } catch (const Interrupted&) {
+    return report(MASU_ERROR_INTERRUPTED, "go_on: has ended the call");
   } catch (const std::bad_alloc&) {
     return report(MASU_ERROR_MEMORY, "memory: there isn't enough");
   } catch (const std::exception& error) {
@@ -72,6 +76,14 @@ To choice(const From& value, int values, const char* place) {
 // fields are added.
 template <class Struct>
 inline constexpr std::size_t first_size = sizeof(Struct);
+template <>
+inline constexpr std::size_t first_size<masu_geometry> = offsetof(masu_geometry, go_on);
+template <>
+inline constexpr std::size_t first_size<masu_build_options> = offsetof(masu_build_options, go_on);
+template <>
+inline constexpr std::size_t first_size<masu_tracer_options> = offsetof(masu_tracer_options, go_on);
+template <>
+inline constexpr std::size_t first_size<masu_query> = offsetof(masu_query, go_on);
 
 template <class Struct>
 std::size_t checked_size(const Struct* given, const char* place) {
