@@ -21,7 +21,7 @@ template <class Stored>
 class GridBuilder {
 public:
   // What `progress` throws ends a build, and any thread may call it (progress_monitor.h).
-  explicit GridBuilder(std::function<void(double)> progress) : progress_(std::move(progress)) {}
+  explicit GridBuilder(std::function<void(double)> progress = {}) : progress_(std::move(progress)) {}
   GridBuilder(const GridBuilder&) = delete;
   GridBuilder& operator=(const GridBuilder&) = delete;
   virtual ~GridBuilder() = default;
