@@ -13,11 +13,12 @@
 #include <cstring>
 #include <new>
 #include <string>
+#include <string_view>
 
 namespace masu {
 
-// Keeps the text for masu_error(), and returns the status.
-masu_status report(masu_status status, const char* text) noexcept;
+// Keeps the text for masu_error(), as one line, and returns the status.
+masu_status report(masu_status status, std::string_view text) noexcept;
 
 // The status of act(), which may throw.
 template <class Act>
@@ -26,7 +27,7 @@ masu_status guarded(const Act& act) noexcept {
     act();
     return MASU_OK;
   } catch (const Error& error) {
-    return report(static_cast<masu_status>(error.code()), error.what());
+    return report(static_cast<masu_status>(error.code()), error.text());
   } catch (const Interrupted&) {
     return report(MASU_ERROR_INTERRUPTED, "go_on: has ended the call");
   } catch (const std::bad_alloc&) {

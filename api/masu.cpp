@@ -1,5 +1,6 @@
 // Tracers and queries of the C interface, and its errors.
 #include "boundary.h"
+#include "libscene/base/printable.h"
 #include "libscene/base/processor.h"
 #include "objects.h"
 #include "renderer/rays/automatic_loop.h"
@@ -78,9 +79,9 @@ std::string& error_of_thread() {
 
 } // namespace
 
-masu_status report(masu_status status, const char* text) noexcept {
+masu_status report(masu_status status, std::string_view text) noexcept {
   try {
-    error_of_thread() = text;
+    error_of_thread() = printable(text);
   } catch (...) { // no memory for the text
     error_of_thread().clear();
   }
