@@ -35,13 +35,13 @@ struct UploadedScene {
 // Calls act() in a thread of its own, whose device is the GPU whatever the caller's is, and which has no
 // errors of the caller's that CUB would take for its own. The caller reports while it waits.
 template <class Act>
-auto on_gpu(int gpu, const Act& act, const ProgressMonitor* progress = nullptr) {
+auto on_gpu(int gpu, const ProgressMonitor* progress, const Act& act) {
   auto end = std::async(std::launch::async, [&] {
     check(cudaSetDevice(gpu));
     return act();
   });
-  while (progress != nullptr && end.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
-    progress->check();
+  while (end.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+    check_progress(progress);
   return end.get();
 }
 
@@ -52,18 +52,15 @@ public:
       : GridBuilder<Stored>(std::move(progress)), host_(scene), gpu_(gpu) {
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
-    on_gpu(
-        gpu_,
-        [&] {
-          const Stopwatch watch;
-          pool_ = std::make_unique<MemoryPool>();
-          executor_ = std::make_unique<CudaExecutor>(*pool_, &this->progress());
-          warm_up();
-          seconds_.set_up = watch.seconds();
-          device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_);
-          seconds_.upload = watch.seconds() - seconds_.set_up;
-        },
-        &this->progress());
+    on_gpu(gpu_, &this->progress(), [&] {
+      const Stopwatch watch;
+      pool_ = std::make_unique<MemoryPool>();
+      executor_ = std::make_unique<CudaExecutor>(*pool_, &this->progress());
+      warm_up();
+      seconds_.set_up = watch.seconds();
+      device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_);
+      seconds_.upload = watch.seconds() - seconds_.set_up;
+    });
   }
   ~CudaBuilder() override {
     on_device_if_possible(gpu_, [&] { device_.reset(); });
@@ -74,23 +71,20 @@ public:
   Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::hierarchy && options.quality == HierarchyQuality::high)
       return hierarchy_grid(host_, layout, options.quality, &this->progress()); // by the CPU
-    return on_gpu(
-        gpu_,
-        [&] {
-          if (options.kind == GridKind::hierarchy) {
-            check_hierarchy(host_.primitive_count(), layout.space);
-            return built([&] { return fast_hierarchy(device_->view, layout); });
-          }
-          if (options.kind == GridKind::uniform)
-            return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
-          return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
-        },
-        &this->progress());
+    return on_gpu(gpu_, &this->progress(), [&] {
+      if (options.kind == GridKind::hierarchy) {
+        check_hierarchy(host_.primitive_count(), layout.space);
+        return built([&] { return fast_hierarchy(device_->view, layout); });
+      }
+      if (options.kind == GridKind::uniform)
+        return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
+      return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
+    });
   }
 
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
     check_hierarchy(host_.primitive_count(), layout.space);
-    return on_gpu(gpu_, [&] {
+    return on_gpu(gpu_, nullptr, [&] {
       const Queue queue{nullptr, *pool_};
       DeviceArray<HierarchyNode> nodes(hierarchy.nodes.data(), hierarchy.nodes.size(), queue);
       const DeviceArray<PrimitiveIndex> references(hierarchy.references.data(), hierarchy.references.size(),
@@ -168,7 +162,7 @@ private:
 template <class Stored, class Number>
 MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const GridRecords& hierarchy,
                                        const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu) {
-  return on_gpu(gpu, [&] {
+  return on_gpu(gpu, nullptr, [&] {
     CudaExecutor executor(pool);
     auto moved = moved_triangles(executor, scene, vertices, hierarchy.references, hierarchy.reference_count);
     MovedHierarchy<Stored> found{std::move(moved.triangles), {}, moved.bounds};
