@@ -23,11 +23,11 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
   if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted &&
                 !is_any_structure<Grid>) {
     const auto found = [&](std::size_t i, const ListedHit& listed) __attribute__((always_inline)) {
+      progress.done(i);
       const Hit<float> hit = reported(listed);
       write_hit<query>(results, i, hit);
       if (query == Query::nearest_hit && results.has_attributes())
         write_attributes(scene, loaded<float>(rays.rays, rays.format, i), hit, results, i);
-      progress.done(i);
     };
     if constexpr (std::is_same_v<Grid, HierarchyView<float>>)
       return trace_list<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
@@ -50,6 +50,7 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
     for (std::size_t i = trace_eights<query, M, Stored, Grid, C>(scene, grid, rays, results, progress,
                                                                  range.begin(), range.end());
          i != range.end(); ++i) {
+      progress.done(i);
       const Ray<Real> ray = loaded<Real>(rays.rays, rays.format, i);
       C ray_counts;
       const Hit<float> hit = trace_listed<query, M>(scene, grid, ray, ray_counts);
@@ -58,7 +59,6 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
       add(counts, ray_counts);
       if (query == Query::nearest_hit && results.has_attributes())
         write_attributes(scene, ray, hit, results, i);
-      progress.done(i);
     }
     add(totals.local(), counts);
   });
@@ -75,9 +75,9 @@ void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayLi
   const AnyStructure<Real> structure = any_structure<Real>(grid);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task / 16), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      progress.done(i);
       write_hits<Method<TestRay, with_all_kinds>>(scene, structure, loaded<Real>(rays.rays, rays.format, i),
                                                   rays.filters, rules, results, i);
-      progress.done(i);
     }
   });
 }
