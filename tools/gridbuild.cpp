@@ -192,12 +192,12 @@ void add_options(const CommandLine& command, Settings& settings) {
 void refuse_useless(const CommandLine& command, const BuildOptions& options) {
   const GridKind kind = options.grid.kind;
   const bool is_hierarchy = kind == GridKind::hierarchy,
-             is_chosen = (kind == GridKind::automatic || kind == GridKind::fastest) &&
-                         options.division.kind == DivisionRule::Kind::automatic,
+             has_division = options.division.kind != DivisionRule::Kind::automatic,
+             is_chosen = (kind == GridKind::automatic || kind == GridKind::fastest) && !has_division,
              is_irregular = kind == GridKind::irregular || is_chosen;
   const char *const of_grids = "is of grids of voxels: a hierarchy has none",
                     *const of_irregular = "is of irregular grids: give --merge irregular";
-  command.refuse({{"--division", is_hierarchy, of_grids},
+  command.refuse({{"--division", is_hierarchy && has_division, of_grids},
                   {"--overlap", is_hierarchy, of_grids},
                   {"--target", kind != GridKind::balance, "is of balanced grids: give --merge balance"},
                   {"--nested", !is_irregular, of_irregular},

@@ -472,9 +472,9 @@ TEST_F(ToolErrors, ControlCharactersOfNamesAreEscaped) {
 }
 
 TEST_F(ToolErrors, ControlCharactersOfTextsAreEscaped) {
-  const std::string in = nff("a.nff", std::string("v\nfrom 1\x1b[2J\x00\xff", 16) + " 0 0\n");
+  const std::string in = nff("a.nff", std::string("v\nfrom 1\x1b[2J\x00\xff", 14) + " 0 0\n");
   EXPECT_TRUE(fails(2, "nff2bin", {in, "-o", file("new")}, in + ":2:6", "'1\\x1b[2J\\x00\\xff'"));
-  write_text(file("a.csv"), std::string("ox,oy,oz,dx,dy,dz\n0,0,0,0,\x1b[2J\x00,1\n", 35));
+  write_text(file("a.csv"), std::string("ox,oy,oz,dx,dy,dz\n0,0,0,0,\x1b[2J\x00,1\n", 34));
   const std::string made = scene("a.scene", nff("small.nff", small_nff));
   EXPECT_TRUE(fails(2, "gridtrace", {made, "--brute-force", file("a.csv"), "-o", file("new")},
                     file("a.csv") + ":2:9", "'\\x1b[2J\\x00'"));
