@@ -6,6 +6,7 @@
 #include "libgrid/trace/grid_records.h"
 #include "libscene/base/error.h"
 #include "libscene/base/host_array.h"
+#include "libscene/base/progress_monitor.h"
 #include "libscene/scene_view.h"
 
 namespace masu {

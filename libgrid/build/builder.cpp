@@ -29,12 +29,12 @@ template <class Stored>
 class CpuBuilder final : public GridBuilder<Stored> {
 public:
   CpuBuilder(const SceneView<Stored>& scene, std::function<void(double)> progress)
-      : scene_(scene), progress_(std::move(progress)) {}
+      : GridBuilder<Stored>(std::move(progress)), scene_(scene) {}
   Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    if (options.kind == GridKind::hierarchy)
-      return hierarchy_grid(scene_, layout, options.quality, progress_);
-    if (options.kind != GridKind::uniform) return merged_grid(scene_, layout, overlap, options, progress_);
-    TbbExecutor executor;
+    ProgressMonitor* const progress = &this->progress();
+    if (options.kind == GridKind::hierarchy) return hierarchy_grid(scene_, layout, options.quality, progress);
+    if (options.kind != GridKind::uniform) return merged_grid(scene_, layout, overlap, options, progress);
+    TbbExecutor executor{progress};
     return uniform_grid(executor, scene_, layout, overlap, options.max_references, options.max_map_words);
   }
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
@@ -44,7 +44,6 @@ public:
 
 private:
   SceneView<Stored> scene_;
-  std::function<void(double)> progress_;
 };
 
 } // namespace

@@ -204,11 +204,14 @@ Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& b
     SampledCosts costs;
   };
   std::optional<SampleLimits> limits;
+  std::size_t tried = 0;
   // None where a limit is exceeded.
   const auto built = [&](const Candidate& candidate) -> std::optional<Built> {
+    builder.progress().begin_part(tried++, candidates.size());
     Built one{builder.try_build(candidate.layout, options.overlap, candidate.options), {}};
     if (one.grid.exceeded != nullptr) return std::nullopt;
-    one.costs = sampled_costs(builder.scene(), one.grid, limits ? *limits : limits_for(candidate));
+    one.costs = sampled_costs(builder.scene(), one.grid, limits ? *limits : limits_for(candidate),
+                              &builder.progress());
     if (limits && one.costs.rays < limits->rays) return std::nullopt;
     if (!limits) limits = limits_after(one.costs);
     return one;

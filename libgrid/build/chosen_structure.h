@@ -45,8 +45,8 @@ struct DescribedGrid {
 // left of those asked for, a coarser one is built. The choice depends on the geometry and the options alone.
 // Kind automatic with a given division is uniform.
 //
-// Throws Error(usage, "division", …) for a given division that is too fine, or where there is less memory
-// than is needed, and as the builder does.
+// The builder's progress gets shares of all of that. Throws Error(usage, "division", …) for a given division
+// that is too fine, or where there is less memory than is needed, and as the builder does.
 template <class Stored>
 DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
                            const BuildOptions& options);

@@ -24,7 +24,7 @@ class RaycastingScene:
 
     def __init__(self, nthreads: int = 0, device: Union[str, int, Any] = "cpu") -> None:
         self._nthreads, self._device = nthreads, device
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # a handler of a signal may query while a grid is built
         self._meshes: List[Mesh] = []
         self._tracer: Optional[Tracer] = None
 
