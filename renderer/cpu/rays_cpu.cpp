@@ -23,8 +23,11 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
     const auto found = [&](std::size_t i, const ListedHit& listed) __attribute__((always_inline)) {
       const Hit<float> hit = reported(listed);
       write_hit<query>(results, i, hit);
-      if (query == Query::nearest_hit && results.has_attributes())
-        write_attributes(scene, loaded<float>(rays.rays, rays.format, i), hit, results, i);
+      if (query != Query::nearest_hit || (hit.primitive == no_primitive && !results.has_attributes())) return;
+      if (!results.has_attributes() && !may_be_rounded<float>(rays.format)) return;
+      const ListedRay<float> ray = listed_ray<float>(rays.rays, rays.format, i, scene.clip);
+      if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
+      add_skipped(ray.skipped, results, i, 1);
     };
     if constexpr (std::is_same_v<Grid, HierarchyView<float>>)
       return trace_list<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
@@ -45,14 +48,15 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
     for (std::size_t i =
              trace_eights<query, M, Stored, Grid, C>(scene, grid, rays, results, range.begin(), range.end());
          i != range.end(); ++i) {
-      const Ray<Real> ray = loaded<Real>(rays.rays, rays.format, i);
+      const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       C ray_counts;
-      const Hit<float> hit = trace_listed<query, M>(scene, grid, ray, ray_counts);
+      const Hit<float> hit = trace_listed<query, M>(scene, grid, ray.ray, ray_counts);
       write_hit<query>(results, i, hit);
       write_costs(results.costs, i, ray_counts);
       add(counts, ray_counts);
-      if (query == Query::nearest_hit && results.has_attributes())
-        write_attributes(scene, ray, hit, results, i);
+      if (query != Query::nearest_hit) continue;
+      if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
+      add_skipped(ray.skipped, results, i, 1);
     }
     add(totals.local(), counts);
   });
@@ -66,9 +70,11 @@ void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayLi
   using Real = typename TestRay::Real;
   const AnyStructure<Real> structure = any_structure<Real>(grid);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task / 16), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i)
-      write_hits<Method<TestRay, with_all_kinds>>(scene, structure, loaded<Real>(rays.rays, rays.format, i),
-                                                  rays.filters, rules, results, i);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
+      write_hits<Method<TestRay, with_all_kinds>>(scene, structure, ray.ray, rays.filters, rules, results, i);
+      add_skipped(ray.skipped, results, i * rules.row(), rules.row());
+    }
   });
 }
 
