@@ -1,6 +1,7 @@
 """libmasu.so by ctypes: the structures and functions of masu.h, and its errors as exceptions."""
 
 import contextlib
+import copy
 import ctypes
 import enum
 import operator
@@ -224,23 +225,54 @@ def folders_of_tools() -> List[pathlib.Path]:
     return [pathlib.Path(__file__).resolve().parent / "bin", folder.parent / "bin", folder.parent.parent / "bin"]
 
 
+@contextlib.contextmanager
+def memory_file(contents: bytes = b"") -> Iterator[Tuple[int, str]]:
+    """A file in memory: its descriptor, and its path in this process."""
+    with open(os.memfd_create("masu"), "w+b") as file:
+        file.write(contents)
+        file.flush()
+        yield file.fileno(), "/proc/self/fd/{}".format(file.fileno())
+
+
 # --- Objects ------------------------------------------------------------------------------------------------------
 
+class Held:
+    """An object of the library, freed when nobody refers to this one."""
+
+    is_moved = False  # a tracer's: by update()
+
+    def __init__(self, handle: c_void_p, free: Callable[[c_void_p], None]) -> None:
+        finalizer = weakref.finalize(self, free, handle)
+        finalizer.atexit = False  # other threads may still use it; the process's end frees everything
+
+
 class Resource:
-    """Owns an object of the library until it is closed, or nobody holds it; also a context manager. Threads may use it
-    at the same time."""
+    """Holds an object of the library until it is closed, or nobody refers to it; also a context manager. Threads may use
+    it at the same time. Copies hold the same object, and are closed each for itself."""
 
     _handle: Optional[c_void_p] = None  # None once it is closed
+    _held: Optional[Held] = None
 
     def _own(self, name: str, create: Callable[..., int], arguments: Tuple[Any, ...], free: Callable[[c_void_p], None]) -> None:
+        handle = c_void_p()
+        check(create(*arguments, byref(handle)))
+        self._hold(name, handle, Held(handle, free))
+
+    def _hold(self, name: str, handle: Optional[c_void_p], held: Optional[Held]) -> None:
         self._name = name
         self._idle = threading.Condition()
         self._calls = 0  # that use the handle now
-        handle = c_void_p()
-        check(create(*arguments, byref(handle)))
-        self._handle = handle
-        self._finalizer = weakref.finalize(self, free, handle)
-        self._finalizer.atexit = False  # other threads may still use it; the process's end frees everything
+        self._handle, self._held = handle, held
+
+    def __copy__(self: Owned) -> Owned:
+        with self._opened() as handle:
+            copied = type(self).__new__(type(self))
+            copied.__dict__.update(self.__dict__)
+            copied._hold(self._name, handle, self._held)
+            return copied
+
+    def __deepcopy__(self: Owned, memo: Any) -> Owned:
+        return copy.copy(self)  # nothing changes what they hold
 
     def close(self) -> None:
         """Waits for calls that run, and gives memory back. Using it afterwards is a ValueError."""
@@ -249,7 +281,7 @@ class Resource:
         with self._idle:
             self._handle = None
             self._idle.wait_for(lambda: self._calls == 0)
-        self._finalizer()
+        self._held = None
 
     def __enter__(self: Owned) -> Owned:
         return self

@@ -1,6 +1,7 @@
 """The tracer: a scene and its grid on a device, and queries of them."""
 
 import contextlib
+import copy
 import math
 import operator
 import secrets
@@ -69,6 +70,11 @@ def tracer_of(number: int) -> "Tracer":
     return tracer
 
 
+def _made_again(kind: Any, scene: Scene, grid: Optional[Grid], gpus: Tuple[int, ...]) -> "Tracer":
+    made: Tracer = kind(scene, grid, list(gpus) or "cpu", brute_force=grid is None)
+    return made
+
+
 def _gpu_numbers(device: Any) -> Tuple[int, ...]:
     """None for the CPU."""
     if isinstance(device, (list, tuple)):
@@ -107,7 +113,12 @@ class Tracer(Resource):
     library's exception, or by a later query as a masu.Error of Status.DEVICE. The process can then do nothing more on
     that GPU.
 
-    Threads may use a tracer at the same time. close() waits for them."""
+    Threads may use a tracer at the same time. close() waits for them.
+
+    **Copies** by copy.copy() share the tracer, update() moves all of them, and each is closed for itself; so do copies of
+    scenes and grids. copy.deepcopy() makes another tracer of the same scene and grid. Pickling goes through the bytes of
+    files: of a scene that was pickled, update() takes vertices as of one from a file. A tracer that was moved is a
+    TypeError."""
 
     scene: Scene
     grid: Optional[Grid]  # None for brute force
@@ -125,13 +136,35 @@ class Tracer(Resource):
         if grid is None and not brute_force:
             grid = scene.build(structure="fastest", device=self._gpus[0] if self._gpus else "cpu", for_cpu=not self._gpus)
         self.scene, self.grid = scene, grid
+        self._objects = scene.describe().objects  # the scene may be closed while the tracer lives
         options = sized(TracerOptionsRecord(gpus=(c_int * len(self._gpus))(*self._gpus), gpu_count=len(self._gpus),
                                             brute_force=int(brute_force)))
         with contextlib.ExitStack() as used:
             handles = [used.enter_context(each._opened()) if each is not None else None for each in (scene, grid)]
             self._own("tracer", library.masu_tracer_create, (*handles, byref(options)), library.masu_tracer_free)
+        self._register()
+
+    def _register(self) -> None:
         self.number = secrets.randbits(62)
         _tracers[self.number] = self
+
+    def __copy__(self) -> "Tracer":
+        copied = super().__copy__()
+        copied._register()
+        return copied
+
+    def __deepcopy__(self, memo: Any) -> "Tracer":
+        scene, grid = self._parts()
+        return _made_again(type(self), copy.copy(scene), copy.copy(grid), self._gpus)
+
+    def __reduce__(self) -> Any:
+        return _made_again, (type(self), *self._parts(), self._gpus)
+
+    def _parts(self) -> Tuple[Scene, Optional[Grid]]:
+        with self._opened():
+            if self._held is not None and self._held.is_moved:
+                raise TypeError("a tracer that update() has moved isn't copied or pickled: make a masu.Scene of the vertices")
+        return self.scene, self.grid
 
     @property
     def device(self) -> str:
@@ -163,6 +196,8 @@ class Tracer(Resource):
             vertices = arrays.packed(vertices, "vertices")
             setattr(record, "values64" if arrays.is_float64(vertices) else "values", arrays.pointer(vertices))
             check(library.masu_tracer_update(handle, byref(record)))
+            if self._held is not None:
+                self._held.is_moved = True
 
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None, relative: bool = False,
@@ -205,14 +240,14 @@ class Tracer(Resource):
                  fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids", "front"), precision: str = "auto",
                  stream: Any = None, relative: bool = False, threads: int = 0, faces: str = "both",
                  exclude: Any = None, object_masks: Any = None, ray_masks: Any = None) -> Dict[str, Any]:
-        """The first `limit` hits of each ray, from 1 to 65536, in their order: each field of nearest() with a dimension of
+        """The first `limit` hits of each ray, at least 1, in their order: each field of nearest() with a dimension of
         that length after the rays' leading shape, the hits and then misses; and "counts", int32: how many hits there are
         in a row. Other arguments are those of nearest(), but for "fast".
 
         Hits are crossings: where a ray passes an edge or a corner that triangles share, one of those on either side is
         crossed, so that every line crosses a closed mesh as often inwards as outwards, exactly."""
-        if not 1 <= operator.index(limit) <= 65536:
-            raise ValueError("limit: {} isn't from 1 to 65536".format(limit))
+        if not 1 <= operator.index(limit) < 2**31:
+            raise ValueError("limit: {} isn't from 1 to 2147483647".format(limit))
         rows = {name: field._replace(shape=(operator.index(limit),) + field.shape)
                 for name, field in chosen(fields).items()}
 
@@ -284,7 +319,7 @@ class Tracer(Resource):
         count = math.prod(shape[:-1])
         with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays, name)
-            objects = (self.scene.describe().objects,) if given["object_masks"] is not None else ()
+            objects = (self._objects,) if given["object_masks"] is not None else ()
             filters = {}  # kept until the query is queued
             for each, needed in (("exclude", shape[:-1]), ("ray_masks", shape[:-1]), ("object_masks", objects)):
                 if given.get(each) is None:
