@@ -21,8 +21,10 @@
  * error (at masu_nearest()).
  *
  * Results don't depend on the grid, on the device, nor on the number of threads: t, primitives and the rest
- * are the same bits on CPU and GPU, but with MASU_PRECISION_FAST. Of hits at the same t the primitive with
- * the lowest index is reported.
+ * are the same bits on CPU and GPU, but with MASU_PRECISION_FAST. Hits are ordered by t from where the ray
+ * enters the scene's bounds, which has more digits than t from a far origin: of two at the same reported t
+ * the first is the nearer. Where it is equal, too, the lowest index comes first. Triangles in one plane are
+ * at the same t where their corners are the same in the same order; others are a rounding apart.
  */
 #ifndef MASU_H
 #define MASU_H
@@ -111,8 +113,8 @@ typedef struct masu_geometry {
 
 /* Copies what the arrays hold, which may lie in host memory or a GPU's (colors and the origin in the host's),
  * where what writes them must be done. Primitives are numbered in the order of the arrays, triangles first,
- * then spheres, then cones, and so are objects. Triangles without area are kept, for the numbers' sake, and
- * can't be hit. Camera and lights are automatic ones, for gridrender. */
+ * then spheres, then cones, and so are objects. Triangles of which two corners are one point are kept, for
+ * the numbers' sake, and can't be hit. Camera and lights are automatic ones, for gridrender. */
 MASU_API masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene);
 
 /* Reads and checks a scene file, of these functions or of nff2bin and mesh2bin. What happens to the file
@@ -209,8 +211,8 @@ MASU_API masu_status masu_grid_build(const masu_scene* scene, const masu_build_o
  * built from, in their order. Nodes and references are `grid`'s, their boxes are computed again, which takes
  * a tenth of a build or less. Hits are those through a grid that is built anew; rays take longer the more the
  * neighbourhood of primitives has changed. Build with MASU_QUALITY_FAST what will move: what
- * MASU_QUALITY_HIGH has divided is whole again. Where a triangle without area has got one, a hierarchy is
- * built anew. */
+ * MASU_QUALITY_HIGH has divided is whole again. Where a triangle of which two corners were one point can be
+ * hit now, a hierarchy is built anew. */
 MASU_API masu_status masu_grid_refit(const masu_grid* grid, const masu_scene* scene, masu_grid** refitted);
 
 /* As masu_scene_read() and masu_scene_write(). */
@@ -282,10 +284,11 @@ MASU_API void masu_tracer_free(masu_tracer* tracer);
 
 /* --- Queries ------------------------------------------------------------------------------------------- */
 
-/* The points origin + t direction with tmin < t < tmax, 0 <= tmin. t counts in lengths of the direction,
- * which may be any. A ray hits nothing if a number is NaN, tmin >= tmax, the origin is infinite or beyond
- * 1e15 (in double arithmetic 1e105), or the direction's largest component isn't from 1e-15 to 1e15. A
- * negative tmin counts as 0. */
+/* The points origin + t direction with tmin < t < tmax, 0 <= tmin, of t as it is reported; a hit's t depends
+ * on neither: a ray that goes on with its last hit's t as tmin doesn't find that hit again. t counts in
+ * lengths of the direction, which may be any. A ray hits nothing if a number is NaN, tmin >= tmax, the origin
+ * is infinite or beyond 1e15 (in double arithmetic 1e105), or the direction's largest component isn't from
+ * 1e-15 to 1e15. A negative tmin counts as 0. */
 typedef struct masu_ray {
   float origin[3], tmin;
   float direction[3], tmax; /* tmax may be INFINITY */

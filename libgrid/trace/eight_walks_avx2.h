@@ -94,13 +94,14 @@ public:
 
   // Gives a ray to a lane: a prepared one, with its direction's inverse, bounded (bounded_inverse()).
   MASU_ALWAYS_INLINE void begin(int lane, const WatertightRay<float>& ray, const Vec3<float>& inverse,
-                                float t_max) {
+                                float t_min, float t_max) {
     const auto i = static_cast<std::size_t>(lane);
     origin_.set(i, ray.origin);
     direction_.set(i, ray.direction);
     across1_.set(i, ray.across1);
     across2_.set(i, ray.across2);
     inverse_square_.of[i] = ray.inverse_square;
+    t_min_[lane] = t_min;
     t_max_[lane] = t_.of[i] = t_max;
     primitive_[lane] = 0; // wins no tie at t_max
     box_rays_[lane] = BoxRay(ray.origin, inverse);
@@ -209,7 +210,7 @@ public:
         const WatertightRay<float> ray{{origin_.of(lane), direction_.of(lane), inverse_square_.of[lane]},
                                        across1_.of(lane),
                                        across2_.of(lane)};
-        if (intersect<M::kinds>(scene, ray, test_[i], test_t_[i], counts)) add_hits(i, 1);
+        if (intersect<M::kinds>(scene, ray, test_[i], t_min_[lane], test_t_[i], counts)) add_hits(i, 1);
       }
     }
   }
@@ -276,6 +277,7 @@ private:
   }
 
   MASU_ALWAYS_INLINE void keep(int lane, float t, PrimitiveIndex primitive) {
+    if (!(t > t_min_[lane])) return;
     if constexpr (query == Query::occlusion) {
       if (!(t < t_max_[lane])) return;
       end(lane);
@@ -291,7 +293,7 @@ private:
   Numbers8 inverse_square_, t_;
   BoxRay box_rays_[lanes]{idle_ray(), idle_ray(), idle_ray(), idle_ray(),
                           idle_ray(), idle_ray(), idle_ray(), idle_ray()};
-  float t_max_[lanes];
+  float t_min_[lanes], t_max_[lanes];
   PrimitiveIndex primitive_[lanes];
 
   // The node to visit, where the ray enters it, and what is ahead besides.

@@ -98,7 +98,7 @@ MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const
   typename M::TestRay test_ray;
   prepare(test_ray, near.ray.origin, near.ray.direction);
   NoWalkCounts counts;
-  SidedHit<Real> last{0, 0xffffffffU}; // every hit comes after it
+  SidedHit<Real> last{near.ray.t_min, 0xffffffffU}; // every hit comes after it
   std::uint32_t all = 0;
   while (all < limit) {
     const int capacity = limit - all < hits_per_pass ? static_cast<int>(limit - all) : hits_per_pass;

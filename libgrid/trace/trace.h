@@ -50,8 +50,9 @@ struct Method {
 // intersect(), shown to counts that record it.
 template <unsigned kinds, class TestRay, class Stored, class Counts>
 MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay& ray,
-                                   PrimitiveIndex primitive, typename TestRay::Real& t, Counts& counts) {
-  const bool met = intersect<kinds>(scene, ray, primitive, t, counts);
+                                   PrimitiveIndex primitive, const typename TestRay::Real& t_min,
+                                   typename TestRay::Real& t, Counts& counts) {
+  const bool met = intersect<kinds>(scene, ray, primitive, t_min, t, counts);
   if constexpr (records_walk<Counts>)
     counts.tested(primitive, met ? t : static_cast<typename TestRay::Real>(INFINITY));
   return met;
@@ -65,20 +66,21 @@ inline constexpr bool tests_eight_triangles =
                     std::is_same_v<Stored, float>;
 #endif
 
-// Keeps the nearest hit.
+// Keeps the nearest hit beyond t_min: where that lies, it is read when something is met.
 template <class M, class Stored, class Counts, class Stop = Proven>
 struct NearestHit {
   using Real = typename M::Real;
   const SceneView<Stored>& scene;
   const typename M::TestRay& ray;
   Counts& counts;
+  const Real& t_min;
   Real t_max;
   Hit<Real> hit; // at t_max, of primitive 0, where nothing is hit yet: no primitive wins that tie
   Stop stop{};
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
-    if (test_primitive<M::kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) {
+    if (test_primitive<M::kinds>(scene, ray, number, t_min, t, counts) && is_nearer(t, number, hit)) {
       hit = {t, number};
       if constexpr (records_walk<Counts>) counts.kept();
     }
@@ -88,12 +90,12 @@ struct NearestHit {
     const Leaf<Stored> leaf = fetched(address);
     const PrimitiveIndex number = leaf.primitive();
     Real t;
-    if (intersect<M::kinds>(scene, ray, number, leaf, t, counts) && is_nearer(t, number, hit))
+    if (intersect<M::kinds>(scene, ray, number, leaf, t_min, t, counts) && is_nearer(t, number, hit))
       hit = {t, number};
   }
 #ifdef MASU_HOST_AVX2
   void met(Real t, PrimitiveIndex number) requires tests_eight_triangles<M, Stored> {
-    if (is_nearer(t, number, hit)) hit = {t, number};
+    if (t > t_min && is_nearer(t, number, hit)) hit = {t, number};
   }
 #endif
   MASU_HD bool done(Real exit) const {
@@ -108,19 +110,20 @@ struct NearestHit {
   }
 };
 
-// Ends with the first hit nearer than t_max, whichever it is.
+// Ends with the first hit between t_min and t_max, whichever it is.
 template <class M, class Stored, class Counts>
 struct AnyHit {
   using Real = typename M::Real;
   const SceneView<Stored>& scene;
   const typename M::TestRay& ray;
   Counts& counts;
+  const Real& t_min;
   Real t_max;
   Real hit; // t_max where nothing is hit yet
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
-    if (!found() && test_primitive<M::kinds>(scene, ray, number, t, counts) && t < t_max) {
+    if (!found() && test_primitive<M::kinds>(scene, ray, number, t_min, t, counts) && t < t_max) {
       hit = t;
       if constexpr (records_walk<Counts>) counts.kept();
     }
@@ -129,11 +132,11 @@ struct AnyHit {
     if (found()) return;
     const Leaf<Stored> leaf = fetched(address);
     Real t;
-    if (intersect<M::kinds>(scene, ray, leaf.primitive(), leaf, t, counts) && t < t_max) hit = t;
+    if (intersect<M::kinds>(scene, ray, leaf.primitive(), leaf, t_min, t, counts) && t < t_max) hit = t;
   }
 #ifdef MASU_HOST_AVX2
   void met(Real t, PrimitiveIndex) requires tests_eight_triangles<M, Stored> {
-    if (t < t_max) hit = t;
+    if (t > t_min && t < t_max) hit = t;
   }
 #endif
   MASU_HD bool found() const {
@@ -205,7 +208,7 @@ MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Sto
   prepare(test_ray, near.ray.origin, near.ray.direction);
   const auto stop = stop_rule(grid);
   NearestHit<M, Stored, Counts, std::decay_t<decltype(stop)>> visitor{
-      scene, test_ray, counts, near.ray.t_max, {near.ray.t_max, 0}, stop};
+      scene, test_ray, counts, near.ray.t_min, near.ray.t_max, {near.ray.t_max, 0}, stop};
   visit(grid, near, scene.primitive_count(), visitor);
   if (!(visitor.hit.t < near.ray.t_max)) visitor.hit = {ray.t_max, no_primitive};
   return {test_ray, visitor.hit, near.skipped};
@@ -229,7 +232,7 @@ MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Grid& grid
   if (!meets_bounds) return false;
   typename M::TestRay test_ray;
   prepare(test_ray, near.ray.origin, near.ray.direction);
-  AnyHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, near.ray.t_max};
+  AnyHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_min, near.ray.t_max, near.ray.t_max};
   visit(grid, near, scene.primitive_count(), visitor);
   return visitor.found();
 }

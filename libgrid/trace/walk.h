@@ -88,7 +88,7 @@ struct Walk {
       : x(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, 0)),
         y(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, 1)),
         z(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, 2)) {
-    begin_at(grid, 0);
+    begin_at(grid, near.ray.t_min);
   }
 
   // Looks up the cell that the ray is in.

@@ -1,7 +1,8 @@
 // Moves the origin of a ray from outside to where it enters the scene's bounds.
 //
 // So no coordinate in later arithmetic is larger than the scene's, however far away the camera is. The new
-// origin doesn't depend on the grid.
+// origin depends on neither the grid nor t_min and t_max: a hit's t is the same, to the bit, whatever the
+// limits, and it is that t which is compared with them.
 #pragma once
 
 #include "libscene/geometry/box.h"
@@ -10,8 +11,9 @@
 
 namespace masu {
 
-// A ray from where it enters a box, or from t_min if that is farther. `skipped` is t from the old origin to
-// the new one; t_max is reduced by it, t_min is 0.
+// A ray from where it enters a box. `skipped` is t from the old origin to the new one. A hit at t of this
+// ray's is reported at t + skipped; its limits are such that t_min < t < t_max just where that sum, rounded,
+// is between the old ray's.
 template <class Real>
 struct ClippedRay {
   Ray<Real> ray;
@@ -19,8 +21,9 @@ struct ClippedRay {
   Real skipped;
 };
 
-// The slab test: whether the ray is in the box between `enter` and some larger t. The exit is enlarged, and
-// `enter` reduced, by more than their rounding errors (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+// The slab test: whether the ray is in the box between `enter`, t_min and some larger t. The exit is
+// enlarged, and `enter` reduced, by more than their rounding errors (Ize, "Robust BVH Ray Traversal", JCGT
+// 2(2), 2013).
 template <class Real>
 MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Vec3<Real>& inverse,
                             Real& enter) {
@@ -29,8 +32,31 @@ MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Ve
   const Real from =
       fast_max(fast_max(Real(0), fast_min(t0.x, t1.x)), fast_max(fast_min(t0.y, t1.y), fast_min(t0.z, t1.z)));
   const Real leave = fast_min(fast_max(t0.x, t1.x), fast_min(fast_max(t0.y, t1.y), fast_max(t0.z, t1.z)));
-  enter = fast_max(ray.t_min, from * (1 - slack));
-  return enter <= leave * (1 + slack) && enter <= ray.t_max;
+  enter = from * (1 - slack);
+  return fast_max(ray.t_min, enter) <= leave * (1 + slack) && enter <= ray.t_max;
+}
+
+// The least x >= 0 for which x + skipped, rounded, is at least t.
+template <class Real>
+MASU_HD inline Real first_reaching(Real t, Real skipped) {
+  // What rounds up to t is less than t by half the distance to the number below it. Two roundings: the x that
+  // is looked for is at most two numbers away.
+  const Real half_gap = (t - next_below(t)) / 2;
+  Real x = next_below(next_below(max((t - skipped) - half_gap, Real(0))));
+  while (!(x + skipped >= t))
+    x = next_above(x);
+  return x;
+}
+// The limits of a clipped ray (see there), from those of the ray that was clipped.
+template <class Real>
+MASU_HD inline void set_limits(Real t_min, Real t_max, ClippedRay<Real>& clipped) {
+  const Real skipped = clipped.skipped;
+  if (skipped > 0) {
+    t_min = t_min < skipped ? 0 : next_below(first_reaching(next_above(t_min), skipped));
+    if (t_max < RealTraits<Real>::largest) t_max = first_reaching(t_max, skipped);
+  }
+  clipped.ray.t_min = t_min;
+  clipped.ray.t_max = t_max;
 }
 
 // Whether the ray can't meet anything that lies `padding` or more inside the box: it starts past the far face
@@ -74,9 +100,12 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
     if (!crosses(box, clipped.ray, clipped.inverse, enter)) return false;
     clipped.ray.origin = fma(d, enter, clipped.ray.origin);
     clipped.skipped += enter;
-    clipped.ray.t_max -= enter;
     clipped.ray.t_min = 0;
-    if (!(enter * largest_magnitude(d) > far)) return true;
+    clipped.ray.t_max = RealTraits<Real>::largest;
+    if (!(enter * largest_magnitude(d) > far)) {
+      set_limits(ray.t_min, ray.t_max, clipped);
+      return clipped.skipped < ray.t_max;
+    }
   }
   return false;
 }

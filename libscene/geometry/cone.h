@@ -159,14 +159,13 @@ MASU_HD inline void each_hit(const PreparedRay<Real>& ray, const Cone<Stored>& c
   }
 }
 
-// Whether the ray meets the side at a t > 0; then `t` is the nearest.
+// Whether the ray meets the side at a t > t_min; then `t` is the nearest.
 template <bool may_taper = true, class Real, class Stored>
-MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& cone, Real& t) {
+MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& cone, Real t_min, Real& t) {
   bool met = false;
   each_hit<may_taper>(ray, cone, [&](Real nearest, bool) {
     t = nearest;
-    met = nearest > 0; // it may underflow
-    return true;
+    return met = nearest > t_min; // 0, where it underflows, isn't
   });
   return met;
 }

@@ -67,34 +67,36 @@ MASU_HD inline Leaf<Stored> leaf_of(const SceneView<Stored>& scene, PrimitiveInd
   return {record};
 }
 
-// Whether the ray meets the primitive at a t > 0; then `t` is the nearest. `from` has its record: SceneRecord
-// or Leaf. Calls the member of `counts` for the test that was run. The type of ray selects the formulas:
-// PreparedRay and WatertightRay the robust ones, TextbookRay those of textbook.h.
+// Whether the ray meets the primitive at a t > t_min, which isn't negative; then `t` is the nearest. `from`
+// has its record: SceneRecord or Leaf. Calls the member of `counts` for the test that was run. The type of
+// ray selects the formulas: PreparedRay and WatertightRay the robust ones, TextbookRay those of textbook.h.
 template <unsigned kinds, class TestRay, class Stored, class From, class Counts>
 MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
-                              const From& from, typename TestRay::Real& t, Counts& counts) {
+                              const From& from, const typename TestRay::Real& t_min,
+                              typename TestRay::Real& t, Counts& counts) {
   if constexpr ((kinds & with_triangles) != 0) {
     if (kinds == with_triangles || primitive < scene.triangle_count) {
       counts.triangle_test();
-      return intersect(ray, from.triangle(), t) && t > 0;
+      return intersect(ray, from.triangle(), t) && t > t_min;
     }
   }
   if constexpr ((kinds & with_spheres) != 0) {
     if ((kinds & with_cones) == 0 || primitive - scene.triangle_count < scene.sphere_count) {
       counts.sphere_test();
-      return intersect(ray, from.sphere(), t);
+      return intersect(ray, from.sphere(), t_min, t);
     }
   }
   if constexpr ((kinds & with_cones) != 0) {
     counts.cone_test();
-    return intersect<(kinds & with_tapers) != 0>(ray, from.cone(), t);
+    return intersect<(kinds & with_tapers) != 0>(ray, from.cone(), t_min, t);
   }
   return false;
 }
 template <unsigned kinds, class TestRay, class Stored, class Counts>
 MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
-                              typename TestRay::Real& t, Counts& counts) {
-  return intersect<kinds>(scene, ray, primitive, SceneRecord<Stored>{scene, primitive}, t, counts);
+                              const typename TestRay::Real& t_min, typename TestRay::Real& t,
+                              Counts& counts) {
+  return intersect<kinds>(scene, ray, primitive, SceneRecord<Stored>{scene, primitive}, t_min, t, counts);
 }
 
 template <class Stored>

@@ -71,7 +71,7 @@ struct CornerNormals {
 };
 
 // Whether there is anything to hit. A triangle whose corners are one point has no surface: it keeps the
-// number of a face without area (libscene/mesh/points.h), and is in no cell.
+// number of a face that can't be hit (libscene/mesh/points.h), and is in no cell.
 template <class Stored>
 MASU_HD inline bool has_surface(const Triangle<Stored>& t) {
   return !(t.a == t.b && t.b == t.c);

@@ -55,6 +55,16 @@ MASU_ALWAYS_INLINE double double_of(std::uint64_t bits) {
   return __builtin_bit_cast(double, bits);
 }
 
+// The next number above or below one that isn't negative; of 0 there is none below.
+template <class Real>
+MASU_ALWAYS_INLINE Real next_above(Real value) {
+  return __builtin_bit_cast(Real, bits_of(value) + 1);
+}
+template <class Real>
+MASU_ALWAYS_INLINE Real next_below(Real value) {
+  return __builtin_bit_cast(Real, bits_of(value) - (value > 0 ? 1 : 0));
+}
+
 // a / b for |b| from 2^-126 to 2^125 and a remainder that is a normal number: correctly rounded, but once in
 // a hundred thousand off by one ulp. Otherwise inaccurate, but the same on host and device. Newton's
 // iteration without a branch; the device's own division has a slow path whose registers slow down the code

@@ -23,14 +23,15 @@ MASU_HD inline bool intersect_line(const PreparedRay<Real>& ray, const Sphere<St
   return true;
 }
 
-// Whether the ray meets the sphere at a t > 0; then `t` is the nearest. With a negative radius only where it
-// leaves the sphere counts.
+// Whether the ray meets the sphere at a t > t_min; then `t` is the nearest. With a negative radius only where
+// it leaves the sphere counts.
 template <class Real, class Stored>
-MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Sphere<Stored>& sphere, Real& t) {
+MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Sphere<Stored>& sphere, Real t_min,
+                              Real& t) {
   Real enter, leave;
   if (!intersect_line(ray, sphere, enter, leave)) return false;
-  t = sphere.radius > 0 && enter > 0 ? enter : leave;
-  return t > 0;
+  t = sphere.radius > 0 && enter > t_min ? enter : leave;
+  return t > t_min;
 }
 
 } // namespace masu

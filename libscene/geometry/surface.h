@@ -162,7 +162,7 @@ MASU_HD inline NearHit<WatertightRay<Real>> hit_again(const SceneView<Stored>& s
   prepare(near.ray, clipped.ray.origin, clipped.ray.direction);
   NoTestCounts counts;
   Real t;
-  if (intersect<with_all_kinds>(scene, near.ray, hit.primitive, t, counts)) near.hit.t = t;
+  if (intersect<with_all_kinds>(scene, near.ray, hit.primitive, clipped.ray.t_min, t, counts)) near.hit.t = t;
   return near;
 }
 

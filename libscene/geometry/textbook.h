@@ -63,7 +63,7 @@ MASU_HD inline bool intersect(const TextbookRay& ray, const Triangle<Stored>& tr
 }
 
 template <class Stored>
-MASU_HD inline bool intersect(const TextbookRay& ray, const Sphere<Stored>& sphere, float& t) {
+MASU_HD inline bool intersect(const TextbookRay& ray, const Sphere<Stored>& sphere, float t_min, float& t) {
   const float radius = static_cast<float>(sphere.radius);
   const Vec3f from_center = ray.origin - cast<float>(sphere.center);
   const float a = dot(ray.direction, ray.direction), b = dot(from_center, ray.direction);
@@ -72,8 +72,8 @@ MASU_HD inline bool intersect(const TextbookRay& ray, const Sphere<Stored>& sphe
   if (!(discriminant >= 0)) return false;
   const float root = approximate_root(discriminant), inverse = approximate_inverse(a);
   const float enter = (-b - root) * inverse, leave = (-b + root) * inverse;
-  t = radius > 0 && enter > 0 ? enter : leave;
-  return t > 0;
+  t = radius > 0 && enter > t_min ? enter : leave;
+  return t > t_min;
 }
 
 // cone_axis(), but for the division.
@@ -86,7 +86,7 @@ MASU_HD inline ConeAxis<float> cone_heights(const Cone<Stored>& cone) {
 
 // The template argument, whether the cone may taper, is unused here.
 template <bool = true, class Stored>
-MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, float& t) {
+MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, float t_min, float& t) {
   const ConeAxis<float> c = cone_heights(cone);
   const Vec3f from_base = ray.origin - c.base;
   const float height = dot(from_base, c.axis) * c.inverse_square,
@@ -102,7 +102,7 @@ MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, 
   const bool inside_only = cone.base_radius < 0 || cone.apex_radius < 0;
   const auto is_hit = [&](float at) {
     const float there = fma(rise, at, height);
-    return at > 0 && there >= 0 && there <= 1 && (!inside_only || fma(qa, at, qb) > 0);
+    return at > t_min && there >= 0 && there <= 1 && (!inside_only || fma(qa, at, qb) > 0);
   };
   const float first = fast_min(root1, root2), second = fast_max(root1, root2);
   t = is_hit(first) ? first : second;

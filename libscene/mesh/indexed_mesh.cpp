@@ -31,7 +31,7 @@ void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene) {
     }
     const Vec3d a = mesh.vertex(corners[0]), b = mesh.vertex(corners[1]), c = mesh.vertex(corners[2]);
     if (!is_coordinate(a) || !is_coordinate(b) || !is_coordinate(c)) wrong = i;
-    const bool is_surface = has_area(a, b, c);
+    const bool is_surface = has_distinct_corners(a, b, c);
     triangles[i] = {a, object, is_surface ? b : a, material, is_surface ? c : a, no_normals};
   });
   if (wrong != none)

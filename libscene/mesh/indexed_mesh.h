@@ -26,9 +26,9 @@ struct PrimitiveArray {
 using SphereArray = PrimitiveArray<Sphere<double>>;
 using ConeArray = PrimitiveArray<Cone<double>>;
 
-// Triangles in the order of meshes and indices, all of them: one without area (triangulate.h) keeps its
-// number, and can't be hit (points.h). Then all spheres, then all cones; objects are numbered in that order.
-// Camera and light are automatic. Throws Error(usage, place, …) for an index that is no vertex's, a
+// Triangles in the order of meshes and indices, all of them: one of which two corners coincide keeps
+// its number, and can't be hit (points.h). Then all spheres, then all cones; objects are numbered in that
+// order. Camera and light are automatic. Throws Error(usage, place, …) for an index that is no vertex's, a
 // coordinate that isn't finite or beyond 1e100, a sphere or cone without a surface, and more primitives than
 // a scene may have.
 Scene scene_of(std::span<const IndexedMesh> meshes, std::span<const SphereArray> spheres = {},

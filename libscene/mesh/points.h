@@ -1,9 +1,8 @@
-// Triangles that nothing can hit: they keep the numbers of a mesh's faces without area.
+// Triangles that nothing can hit: they keep the numbers of a mesh's faces of which two corners coincide.
 //
-// Such a face isn't stored as it is, for rays might meet what rounding to float32, or the projection along a
-// ray, makes of it; and far from the others it would enlarge the scene's bounds, and with them every error
-// bound. All three corners of its triangle are one point instead (has_surface, primitives.h), which no test
-// hits, and which builders leave out.
+// Such a face isn't stored as it is: far from the others it would enlarge the scene's bounds, and with them
+// every error bound. All three corners of its triangle are one point instead (has_surface, primitives.h),
+// which no test hits, and which builders leave out.
 #pragma once
 
 #include "libscene/scene.h"

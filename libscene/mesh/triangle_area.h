@@ -1,4 +1,4 @@
-// Whether a triangle has an area, or one by rounding alone.
+// Whether a triangle has an area, or one by rounding alone; and whether a face of a mesh can be hit.
 #pragma once
 
 #include "libscene/geometry/vector.h"
@@ -18,6 +18,13 @@ MASU_HD inline bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const double coordinate = max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c)));
   const double edge = max(largest_magnitude(to_b), largest_magnitude(to_c));
   return largest_magnitude(cross(to_b, to_c)) > area_error(coordinate, edge);
+}
+
+// Of a mesh's face, whether it can be hit: no two of its corners are one point. Three on a line may be: where
+// tessellators split an edge of one face, but not of its neighbour, they fill the gap with such a face. Seen
+// along a ray, corners move by a rounding, and the gap opens by as much; the face then covers just that.
+MASU_HD inline bool has_distinct_corners(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return !(a == b) && !(b == c) && !(c == a);
 }
 
 } // namespace masu

@@ -25,7 +25,7 @@ inline Hit<float> reported(const ListedHit& hit) {
 struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
   static constexpr std::size_t count = 8;
 
-  // The first eight are filled in by load(), the others by prepare().
+  // These are filled in by load(), the others by prepare(), which makes t_min and t_max a clipped ray's.
   Vectors8 origin, direction;
   Numbers8 t_min, t_max;
 
@@ -70,36 +70,46 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
                              select(Floats8(0) < d.z, below.z, above.z)};
     alive = without(alive, smallest(left) < padding * largest);
     const Vec3<Floats8> inverted{finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)};
-    Floats8 passed = 0;
+    Floats8 passed = 0, ahead = from, beyond = to;
     Mask8 clips = alive;
     for (int i = 0; i < most_clips && clips.bits() != 0; ++i) {
       const Vec3<Floats8> t0 = (low - o) * inverted, t1 = (high - o) * inverted;
       const Floats8 near = max(max(0.0F, min(t0.x, t1.x)), max(min(t0.y, t1.y), min(t0.z, t1.z))),
                     leave = min(max(t0.x, t1.x), min(max(t0.y, t1.y), max(t0.z, t1.z)));
-      const Floats8 enter = max(from, near * (1 - slack));
-      const Mask8 crosses = (enter <= leave * (1 + slack)) & (enter <= to);
+      const Floats8 enter = near * (1 - slack);
+      const Mask8 crosses = (max(ahead, enter) <= leave * (1 + slack)) & (enter <= beyond);
       alive = without(alive, without(clips, crosses));
       clips = clips & crosses;
       o = select(clips, fma(d, enter, o), o);
       passed = select(clips, passed + enter, passed);
-      to = select(clips, to - enter, to);
-      from = 0.0F;
+      ahead = 0.0F;
+      beyond = RealTraits<float>::largest;
       clips = clips & (Floats8(256 * largest) < enter * largest_magnitude(d));
     }
-    alive = without(alive, clips);
+    alive = without(alive, clips) & (passed < to);
 
     origin.set(o);
     direction.set(d);
+    t_min.set(from);
     t_max.set(to);
     inverse.set(inverted);
     skipped.set(passed);
     scale.set(scaled);
     meet_bounds = alive.bits();
+    // set_limits()
+    const Mask8 limited = (Floats8(0) < passed) & ((Floats8(0) < from) | (to < RealTraits<float>::largest));
+    each_bit(limited.bits() & meet_bounds, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      ClippedRay<float> near = clipped(i);
+      set_limits(t_min.of[i], t_max.of[i], near);
+      t_min.of[i] = near.ray.t_min;
+      t_max.of[i] = near.ray.t_max;
+    });
     if (meet_bounds != 0) prepare_tests(d);
   }
 
   MASU_ALWAYS_INLINE ClippedRay<float> clipped(std::size_t i) const {
-    return {{origin.of(i), 0, direction.of(i), t_max.of[i]}, inverse.of(i), skipped.of[i]};
+    return {{origin.of(i), t_min.of[i], direction.of(i), t_max.of[i]}, inverse.of(i), skipped.of[i]};
   }
   MASU_ALWAYS_INLINE WatertightRay<float> test_ray(std::size_t i) const {
     return {{origin.of(i), flushed.of(i), inverse_square.of[i]}, across1.of(i), across2.of(i)};
@@ -137,15 +147,15 @@ inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Grid& gri
       ListedHit hit = no_listed_hit;
       if ((eight.meet_bounds >> i & 1) != 0) {
         const WatertightRay<float> ray = eight.test_ray(i);
-        const float t_max = eight.t_max.of[i];
+        const float t_min = eight.t_min.of[i], t_max = eight.t_max.of[i];
         hit = {no_hit(), eight.skipped.of[i], eight.scale.of[i]};
         NoCounts counts;
         if constexpr (query == Query::occlusion) {
-          AnyHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, t_max};
+          AnyHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_min, t_max, t_max};
           visit(grid, eight.clipped(i), scene.primitive_count(), visitor);
           if (visitor.found()) hit.near = {visitor.hit, 0};
         } else {
-          NearestHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_max, {t_max, 0}};
+          NearestHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_min, t_max, {t_max, 0}};
           visit(grid, eight.clipped(i), scene.primitive_count(), visitor);
           if (visitor.hit.t < t_max) hit.near = visitor.hit;
         }
@@ -202,7 +212,8 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
     if (listed.i != none) found(listed.i, ListedHit{group.walks.hit(lane), listed.skipped, listed.scale});
     const bool begun = take_next([&](std::size_t i, std::size_t k) {
       listed = {i, eight.skipped.of[k], eight.scale.of[k]};
-      group.walks.begin(lane, eight.test_ray(k), bounded_inverse(eight.clipped(k)), eight.t_max.of[k]);
+      group.walks.begin(lane, eight.test_ray(k), bounded_inverse(eight.clipped(k)), eight.t_min.of[k],
+                        eight.t_max.of[k]);
     });
     if (begun) return;
     listed.i = none;

@@ -206,15 +206,18 @@ private:
       const Triangle<float>& triangle = scene_.triangles[primitive];
       const auto corner = [&](const auto& c) { return Vec3<Floats8>{c.x, c.y, c.z} - ray.origin; };
       Floats8 t = 0;
-      const Mask8 hits = intersect(ray, corner(triangle.a), corner(triangle.b), corner(triangle.c), t);
-      keep(e, hits, t, primitive);
+      const Mask8 hits = intersect(
+          ray, corner(triangle.a), corner(triangle.b), corner(triangle.c),
+          [&](std::size_t) -> const Triangle<float>& { return triangle; }, t);
+      keep(e, hits & (own.t_min.all() < t), t, primitive);
     } else {
       NoTestCounts counts;
       alignas(32) float t[EightRays::count] = {};
       unsigned hits = 0;
       each_bit(lanes, [&](int lane) {
         const WatertightRay<float> ray = own.test_ray(static_cast<std::size_t>(lane));
-        if (intersect<M::kinds>(scene_, ray, primitive, t[lane], counts)) hits |= 1U << lane;
+        if (intersect<M::kinds>(scene_, ray, primitive, own.t_min.of[lane], t[lane], counts))
+          hits |= 1U << lane;
       });
       keep(e, lanes_of(hits), Floats8::load(t), primitive);
     }

@@ -27,16 +27,16 @@ inline constexpr int max_rays_by_pairs = lanes_per_warp / 2, max_rays_by_fours =
 // Goes on with a ray by `advance`, which is given the visitor of its query; false at its end.
 template <Query query, class M, class Stored, class Advance>
 __device__ inline bool goes_on(const SceneView<Stored>& scene, WalkingRay<typename M::TestRay>& ray,
-                               typename M::Real t_max, const Advance& advance) {
+                               const RayEnds<typename M::Real>& end, const Advance& advance) {
   NoCounts counts;
   if constexpr (query == Query::nearest_hit) {
     // 0: t_max is for the rule of termination, which only grids use.
-    NearestHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, 0, ray.nearest};
+    NearestHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, end.t_min, 0, ray.nearest};
     const bool is_under_way = advance(visitor);
     ray.nearest = visitor.hit;
     return is_under_way;
   } else {
-    AnyHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, t_max, ray.nearest.t};
+    AnyHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, end.t_min, end.t_max, ray.nearest.t};
     const bool is_under_way = advance(visitor);
     ray.nearest.t = visitor.hit;
     return is_under_way;
@@ -62,7 +62,7 @@ __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const
   do {
     const auto& end = ends[own.thread];
     const bool had_ray = has_ray;
-    has_ray = goes_on<query, M>(scene, own, end.t_max, [&](auto& visitor) {
+    has_ray = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
       return advance_group<log2>(hierarchy, own.walk, stack, visitor, had_ray);
     });
     if (had_ray && !has_ray && is_first) write_end<query>(results, end, own.nearest);
@@ -83,7 +83,7 @@ __device__ inline bool fetch_ray(const SceneView<Stored>& scene, const Ray<Real>
     write_hit<query>(results, number, no_hit());
     return false;
   }
-  end = {scale, near.skipped, near.ray.t_max, number};
+  end = {scale, near.skipped, near.ray.t_min, near.ray.t_max, number};
   return true;
 }
 template <class TestRay>
@@ -128,14 +128,14 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   const bool has_ray = fetch_ray<query>(scene, rays, count, number, results, end, near);
   if (!__any_sync(all_lanes, has_ray)) return;
   if (has_ray) begin_ray(near, own);
-  bool under_way = goes_on<query, M>(scene, own, end.t_max, [&](auto& visitor) {
+  bool under_way = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
     return begin_packet<max_packet_leaves<M>>(hierarchy, own.walk, stack, visitor, has_ray,
                                               packets[threadIdx.x / lanes_per_warp]);
   });
   if (__popc(__ballot_sync(all_lanes, under_way)) > max_rays_by_pairs) {
     while (under_way) {
       under_way = goes_on<query, M>(
-          scene, own, end.t_max, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
+          scene, own, end, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
       if (__popc(__activemask()) <= max_rays_by_pairs) break;
     }
   }
@@ -189,7 +189,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     int idle_steps = 0;
     while (under_way) {
       under_way = goes_on<query, M>(
-          scene, own, end.t_max, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
+          scene, own, end, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
       const int active = __popc(__activemask());
       if (next < count) {
         idle_steps += max(lanes_per_warp - idle_lanes_tolerated - active, 0);

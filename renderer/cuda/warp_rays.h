@@ -25,7 +25,7 @@ __device__ inline Hit<float> hit_of(std::uint64_t key) {
 // What is needed of a ray when it is begun and ended.
 template <class Real>
 struct RayEnds {
-  Real scale, skipped, t_max;
+  Real scale, skipped, t_min, t_max;
   std::uint32_t number; // in the list
 };
 

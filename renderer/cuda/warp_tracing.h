@@ -61,8 +61,10 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
     }
     const PrimitiveIndex primitive = reference & ~last_bit;
     Real t = 0;
-    const bool nearer = tests && intersect<M::kinds>(scene, rays.tests[part.ray], primitive, t, counts) &&
-                        is_nearer(t, primitive, rays.nearest[part.ray].get());
+    const bool nearer =
+        tests &&
+        intersect<M::kinds>(scene, rays.tests[part.ray], primitive, rays.ends[part.ray].t_min, t, counts) &&
+        is_nearer(t, primitive, rays.nearest[part.ray].get());
     if (!alone) {
       rays.nearest[part.ray].lower(nearer, {t, primitive});
     } else if (nearer) {
@@ -113,7 +115,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     const bool meets = scale_and_clip(scene, streamed(queue.rays + number), near, scale);
     has_ray = true;
     own.under_way = meets;
-    rays.ends[lane] = {scale, near.skipped, near.ray.t_max, number};
+    rays.ends[lane] = {scale, near.skipped, near.ray.t_min, near.ray.t_max, number};
     rays.nearest[lane].set({near.ray.t_max, 0});
     if (!meets) return;
     prepare(rays.tests[lane], near.ray.origin, near.ray.direction);

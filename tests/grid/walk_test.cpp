@@ -335,7 +335,7 @@ Hit<Real> nearest_of_all(const SceneView<Real>& scene, const Ray<Real>& ray, std
   Hit<Real> nearest{ray.t_max, no_primitive};
   for (std::uint32_t p = 0; p < scene.primitive_count(); ++p) {
     Real t = 0;
-    if (!intersect<with_all_kinds>(scene, frame, p, t, counts)) continue;
+    if (!intersect<with_all_kinds>(scene, frame, p, Real(0), t, counts)) continue;
     ties += t == nearest.t;
     if (t < nearest.t) nearest = {t, p};
   }
@@ -418,7 +418,7 @@ Hit<Real> found_in_pieces(Chance& chance, const SceneView<Real>& scene, const Vi
       cuts(chance, grid, near, fast_min(Walk<Real, View>(grid, near).end(grid), near.ray.t_max));
   at.insert(at.begin(), Real(0));
   for (std::size_t i = 0; i < at.size(); ++i) {
-    NearestHit<M, Real, NoCounts> visitor{scene, frame, counts, near.ray.t_max, nothing};
+    NearestHit<M, Real, NoCounts> visitor{scene, frame, counts, near.ray.t_min, near.ray.t_max, nothing};
     Walk<Real, View> walk(grid, near);
     if (i > 0) walk.begin_at(grid, at[i]);
     while (visit_cell(grid, walk, visitor) && (i + 1 == at.size() || walk.exit < at[i + 1])) {

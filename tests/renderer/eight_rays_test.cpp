@@ -59,6 +59,9 @@ void compare(const TestScene<float>& scene, const SceneView<float>& view, const 
     const Hit<float> expected = trace_listed<query, M>(view, NoGrid{}, rays.at(i), counts);
     hits += expected.primitive != no_primitive;
     const Ray<float>& ray = rays[i];
+    EXPECT_TRUE(found.primitive == no_primitive || query == Query::occlusion ||
+                (ray.t_min < found.t && found.t < ray.t_max))
+        << described(found);
     EXPECT_TRUE(found.primitive == expected.primitive &&
                 (query == Query::occlusion || same_bits(found.t, expected.t)))
         << described(ray.origin, ray.direction) << " t_min " << described(ray.t_min) << " t_max "
@@ -112,6 +115,14 @@ std::int64_t compare_scenes(std::int64_t scenes, Chance& chance) {
                other.t_max};
       }
       rays[i] = alike && !chance.one_in(40) ? ray : any_ray(chance, ray);
+    }
+    for (Ray<float>& ray : rays) { // limits at hits
+      if (!chance.one_in(4)) continue;
+      NoCounts counts;
+      const Hit<float> hit = trace_listed<Query::nearest_hit, M>(view, NoGrid{}, ray, counts);
+      if (hit.primitive == no_primitive) continue;
+      const float t = chance.one_in(2) ? hit.t : chance.one_in(2) ? next_above(hit.t) : next_below(hit.t);
+      (chance.one_in(2) ? ray.t_min : ray.t_max) = t;
     }
     const auto first = std::min(rays.size(), static_cast<std::size_t>(chance.whole(0, 9)));
     compare<Query::nearest_hit, M>(scene, view, grid, rays, first, hits);

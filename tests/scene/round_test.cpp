@@ -9,14 +9,15 @@ template <class Real, class Primitive>
 testing::AssertionResult meets_at(const Primitive& primitive, const Vec3<Real>& origin,
                                   const Vec3<Real>& direction, double wanted) {
   Real t = 0;
-  if (!intersect(prepared(origin, direction), primitive, t)) return testing::AssertionFailure() << "missed";
+  if (!intersect(prepared(origin, direction), primitive, Real(0), t))
+    return testing::AssertionFailure() << "missed";
   if (std::abs(static_cast<double>(t) - wanted) <= 1e-6) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "met at " << t << " instead of " << wanted;
 }
 template <class Real, class Primitive>
 bool misses(const Primitive& primitive, const Vec3<Real>& origin, const Vec3<Real>& direction) {
   Real t = 0;
-  return !intersect(prepared(origin, direction), primitive, t);
+  return !intersect(prepared(origin, direction), primitive, Real(0), t);
 }
 
 template <class Real>
@@ -94,8 +95,8 @@ TYPED_TEST(RayAndRound, CylinderCodeGivesTheBitsOfConeCode) {
     PreparedRay<Real> ray{};
     prepare(ray, c.origin, c.direction);
     Real as_cone = 0, as_cylinder = 0;
-    const bool met = intersect<true>(ray, c.primitive, as_cone);
-    ASSERT_EQ(met, intersect<false>(ray, c.primitive, as_cylinder)) << case_described(c);
+    const bool met = intersect<true>(ray, c.primitive, Real(0), as_cone);
+    ASSERT_EQ(met, intersect<false>(ray, c.primitive, Real(0), as_cylinder)) << case_described(c);
     ASSERT_EQ(bits_of(as_cone), bits_of(as_cylinder)) << case_described(c);
     hits += met ? 1 : 0;
   }

@@ -9,8 +9,9 @@
 
 namespace masu {
 
-// random_mesh() with its faces turned outwards, slivers at corners and edges, and maybe pockets: two
-// triangles back to back.
+// random_mesh() with its faces turned outwards, slivers at corners and edges, edges that are split in one of
+// their faces alone, with a face without area that fills the gap, and maybe pockets: two triangles back to
+// back.
 template <class Stored>
 std::vector<Triangle<Stored>> closed_mesh(Chance& chance, double size, bool has_pockets) {
   Mesh<double> mesh = random_mesh(chance);
@@ -33,6 +34,18 @@ std::vector<Triangle<Stored>> closed_mesh(Chance& chance, double size, bool has_
     face = {a, b, inner};
     mesh.faces.push_back({b, c, inner});
     mesh.faces.push_back({c, a, inner});
+  }
+  for (int fillers = chance.whole(0, 20); fillers > 0; --fillers) {
+    auto& face = mesh.faces[chance.index(mesh.faces.size())];
+    const auto [a, b, c] = face;
+    const double along = chance.one_of({0.5, 0.25, chance.uniform(0, 1)});
+    const Vec3d &p = mesh.corners[a], &q = mesh.corners[b], middle = kept<float>(p + (q - p) * along);
+    if (middle == p || middle == q) continue;
+    const std::size_t between = mesh.corners.size();
+    mesh.corners.push_back(middle);
+    face = {a, between, c};
+    mesh.faces.push_back({between, b, c});
+    mesh.faces.push_back({a, b, between});
   }
   std::vector<Triangle<Stored>> triangles;
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {

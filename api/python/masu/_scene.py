@@ -168,7 +168,7 @@ class Scene(Resource):
     triangle. spheres (N, 4) are centres and radii, cones (N, 8) bases, radii there, apices, radii there; an array of them
     is an object, and so is each of a list of masu.Quadrics. Arrays are NumPy's, what NumPy makes arrays from, or on a GPU,
     and are copied. Triangle i of mesh m is primitive i plus the triangles of the meshes before m; m is its `geometry_ids`.
-    Spheres follow, then cones. Triangles without area are kept and can't be hit.
+    Spheres follow, then cones. Triangles of which two corners are one point are kept and can't be hit.
 
     `store`, the type of coordinates, is "auto" (float32 unless its arithmetic is too coarse for the scene), "float32" or
     "float64". Coordinates are stored relative to `origin`, so that errors follow the scene's extent and not its position

@@ -75,7 +75,7 @@ struct SurveyOf {
     const Triangle<double> face = vertices.face(i);
     if (!is_coordinate(face.a) || !is_coordinate(face.b) || !is_coordinate(face.c)) {
       survey.first_invalid = i;
-    } else if (has_area(face.a, face.b, face.c)) {
+    } else if (has_distinct_corners(face.a, face.b, face.c)) {
       survey.first_surface = i;
       survey.bounds = cast<double>(bounds(stored_triangle<Stored>(vertices.origin, face)));
       if (listed != nullptr && (listed[i / 32] >> i % 32 & 1) == 0) survey.first_missing = i;
@@ -86,7 +86,7 @@ struct SurveyOf {
 
 template <class Executor, class Stored>
 struct MovedTriangles {
-  bool is_missing = false; // one of them has an area, but isn't referred to: nothing else is filled in then
+  bool is_missing = false; // one of them can be hit, but isn't referred to: nothing else is filled in then
   ArrayOf<Executor, Triangle<Stored>> triangles{};
   Boxd bounds{}; // of the whole scene, relative to its origin
 };
@@ -121,7 +121,7 @@ moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedV
   executor.for_each(scene.triangle_count, [=] MASU_PASS(std::uint64_t i) {
     const Triangle<double> face = vertices.face(i);
     Triangle<Stored> triangle = stored_triangle<Stored>(vertices.origin, face);
-    if (!has_area(face.a, face.b, face.c))
+    if (!has_distinct_corners(face.a, face.b, face.c))
       triangle.a = triangle.b = triangle.c =
           is_all_points ? in_no_surface
                         : stored_point<Stored>(vertices.origin, vertices.corner(first_corner));
