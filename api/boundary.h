@@ -1,6 +1,7 @@
 // What the functions of the C interface share: arguments are checked, exceptions become statuses.
 #pragma once
 
+#include "go_on.h"
 #include "libscene/base/error.h"
 #include "masu.h"
 
@@ -8,14 +9,16 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <new>
 #include <string>
+#include <string_view>
 
 namespace masu {
 
-// Keeps the text for masu_error(), and returns the status.
-masu_status report(masu_status status, const char* text) noexcept;
+// Keeps the text for masu_error(), as one line, and returns the status.
+masu_status report(masu_status status, std::string_view text) noexcept;
 
 // The status of act(), which may throw.
 template <class Act>
@@ -24,7 +27,9 @@ masu_status guarded(const Act& act) noexcept {
     act();
     return MASU_OK;
   } catch (const Error& error) {
-    return report(static_cast<masu_status>(error.code()), error.what());
+    return report(static_cast<masu_status>(error.code()), error.text());
+  } catch (const Interrupted&) {
+    return report(MASU_ERROR_INTERRUPTED, "go_on: has ended the call");
   } catch (const std::bad_alloc&) {
     return report(MASU_ERROR_MEMORY, "memory: there isn't enough");
   } catch (const std::exception& error) {
@@ -72,6 +77,14 @@ To choice(const From& value, int values, const char* place) {
 // fields are added.
 template <class Struct>
 inline constexpr std::size_t first_size = sizeof(Struct);
+template <>
+inline constexpr std::size_t first_size<masu_geometry> = offsetof(masu_geometry, go_on);
+template <>
+inline constexpr std::size_t first_size<masu_build_options> = offsetof(masu_build_options, go_on);
+template <>
+inline constexpr std::size_t first_size<masu_tracer_options> = offsetof(masu_tracer_options, go_on);
+template <>
+inline constexpr std::size_t first_size<masu_query> = offsetof(masu_query, go_on);
 
 template <class Struct>
 std::size_t checked_size(const Struct* given, const char* place) {

@@ -48,9 +48,11 @@ masu_build_options default_options() {
   return options;
 }
 
-GridFile built_grid(const SceneFile& scene, const BuildOptions& options, int device) {
+GridFile built_grid(const SceneFile& scene, const BuildOptions& options, int device,
+                    const std::function<void(double)>& progress) {
   return scene.with_view([&](const auto& view) {
-    const auto builder = device == MASU_CPU ? cpu_builder(view) : cuda_builder(view, device);
+    const auto builder =
+        device == MASU_CPU ? cpu_builder(view, progress) : cuda_builder(view, device, progress);
     const auto [grid, provenance, considered] = build_chosen(*builder, scene.geometry(), options);
     return grid_in_memory(grid, provenance);
   });
@@ -96,17 +98,17 @@ void require_hierarchy(const GridFile* grid) {
     fail("grid", "isn't a hierarchy, which alone can be refitted: build one with MASU_STRUCTURE_BVH");
 }
 
-GridFile fastest_grid(const SceneFile& scene, int device) {
+GridFile fastest_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress) {
   masu_build_options options = default_options();
   options.for_cpu = device == MASU_CPU ? 1 : 0;
-  return built_grid(scene, build_options(options), device);
+  return built_grid(scene, build_options(options), device, progress);
 }
 
-GridFile fast_hierarchy(const SceneFile& scene) {
+GridFile fast_hierarchy(const SceneFile& scene, const std::function<void(double)>& progress) {
   masu_build_options options = default_options();
   options.structure = MASU_STRUCTURE_BVH;
   options.quality = MASU_QUALITY_FAST;
-  return built_grid(scene, build_options(options), MASU_CPU);
+  return built_grid(scene, build_options(options), MASU_CPU, progress);
 }
 
 } // namespace masu
@@ -124,8 +126,10 @@ masu_status masu_grid_build(const masu_scene* scene, const masu_build_options* o
     const masu_build_options wanted =
         options != nullptr ? taken(options, "masu_build_options") : default_options();
     const BuildOptions build_as = build_options(wanted);
-    return on_threads_up_to(wanted.threads,
-                            [&] { return held(built_grid(*scene->file, build_as, wanted.device)); });
+    GoOn go_on(wanted.go_on, wanted.user);
+    return on_threads_up_to(wanted.threads, [&] {
+      return held(built_grid(*scene->file, build_as, wanted.device, go_on.progress()));
+    });
   });
 }
 

@@ -1,5 +1,6 @@
 // Tracers and queries of the C interface, and its errors.
 #include "boundary.h"
+#include "libscene/base/printable.h"
 #include "libscene/base/processor.h"
 #include "objects.h"
 #include "renderer/rays/automatic_loop.h"
@@ -78,9 +79,9 @@ std::string& error_of_thread() {
 
 } // namespace
 
-masu_status report(masu_status status, const char* text) noexcept {
+masu_status report(masu_status status, std::string_view text) noexcept {
   try {
-    error_of_thread() = text;
+    error_of_thread() = printable(text);
   } catch (...) { // no memory for the text
     error_of_thread().clear();
   }
@@ -157,6 +158,8 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   request.limit = limit;
   request.faces = choice<Faces>(wanted.faces, 3, "faces");
   request.tracing.precision = choice<Precision>(wanted.precision, 4, "precision");
+  GoOn go_on(wanted.go_on, wanted.user);
+  request.progress = go_on.progress();
   RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
   list.format.is_relative = wanted.relative != 0;
   list.filters = filters_of(wanted);
@@ -222,13 +225,14 @@ std::shared_ptr<const State> moved(const State& before, const Vertices& vertices
 
 // None for brute force. Of threads that ask at once each builds one, and the first is kept: a thread that
 // waited for another might be what that one waits for.
-std::shared_ptr<const GridFile> hierarchy_of(const State& tracer) {
+std::shared_ptr<const GridFile> hierarchy_of(const State& tracer,
+                                             const std::function<void(double)>& progress) {
   if (!tracer.grid || tracer.grid->is_hierarchy()) return tracer.grid;
   {
     const std::lock_guard lock(tracer.mutex);
     if (tracer.hierarchy) return tracer.hierarchy;
   }
-  auto built = std::make_shared<const GridFile>(fast_hierarchy(*tracer.scene));
+  auto built = std::make_shared<const GridFile>(fast_hierarchy(*tracer.scene, progress));
   const std::lock_guard lock(tracer.mutex);
   if (!tracer.hierarchy) tracer.hierarchy = std::move(built);
   return tracer.hierarchy;
@@ -265,12 +269,13 @@ masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
     const std::vector<int> gpus(wanted.gpus, wanted.gpus + wanted.gpu_count);
     for (const int gpu : gpus)
       require_gpu(gpu);
+    GoOn go_on(wanted.go_on, wanted.user);
     std::shared_ptr<const GridFile> file;
     if (grid != nullptr)
       file = grid->file;
     else if (wanted.brute_force == 0)
       file = std::make_shared<const GridFile>(
-          fastest_grid(*scene->file, gpus.empty() ? MASU_CPU : gpus.front()));
+          fastest_grid(*scene->file, gpus.empty() ? MASU_CPU : gpus.front(), go_on.progress()));
     return std::make_unique<masu_tracer>(scene->vertices,
                                          std::make_shared<const State>(scene->file, std::move(file), gpus));
   });
@@ -355,9 +360,11 @@ masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t c
     check_arrays(host_memory, results, list.filters, points);
     const auto state = tracer->state();
     if (state->is_on_gpu_alone) fail("tracer", "was moved on a GPU: closest points are found in host memory");
+    GoOn go_on(wanted.go_on, wanted.user);
+    const auto progress = go_on.progress();
     on_threads_up_to(wanted.threads, [&] {
-      closest_points(*state->scene, hierarchy_of(*state).get(), list, results,
-                     reinterpret_cast<double(*)[3]>(points));
+      closest_points(*state->scene, hierarchy_of(*state, progress).get(), list, results,
+                     reinterpret_cast<double(*)[3]>(points), progress);
     });
   });
 }

@@ -46,12 +46,21 @@ extern "C" {
 /* The first four are the tools' exit codes. */
 typedef enum masu_status {
   MASU_OK = 0,
-  MASU_ERROR_USAGE = 1,  /* an argument */
-  MASU_ERROR_INPUT = 2,  /* a file that can't be read or is invalid */
-  MASU_ERROR_OUTPUT = 3, /* a file that can't be written */
-  MASU_ERROR_DEVICE = 4, /* the GPU or its driver */
-  MASU_ERROR_MEMORY = 5  /* there isn't enough memory in the host */
+  MASU_ERROR_USAGE = 1,      /* an argument */
+  MASU_ERROR_INPUT = 2,      /* a file that can't be read or is invalid */
+  MASU_ERROR_OUTPUT = 3,     /* a file that can't be written */
+  MASU_ERROR_DEVICE = 4,     /* the GPU or its driver */
+  MASU_ERROR_MEMORY = 5,     /* there isn't enough memory in the host */
+  MASU_ERROR_INTERRUPTED = 6 /* go_on returned 0 */
 } masu_status;
+
+/* Whether a call is to go on: not 0. What takes long calls it about every tenth of a second, on the thread
+ * that the call was made on and on no other, until it returns 0: then the call ends in a fraction of a second
+ * as MASU_ERROR_INTERRUPTED, and what it uses is as before. `done` is the share of the work that is done,
+ * from 0 to 1, as far as that is known. Results are the same with and without. On a GPU it is called between
+ * kernels, of lists of rays once for a million; not by queries of rays in device memory, which are only
+ * queued. It may call this library, but mustn't free what the call uses. */
+typedef int (*masu_go_on)(void* user, double done);
 
 /* What the last call of this thread that failed said: `place: what is wrong: what to do`. Valid until the
  * thread's next call. */
@@ -109,6 +118,8 @@ typedef struct masu_geometry {
   const double* origin;
   masu_store store;
   int reserved;
+  masu_go_on go_on; /* NULL: to its end */
+  void* user;       /* for go_on */
 } masu_geometry;
 
 /* Copies what the arrays hold, which may lie in host memory or a GPU's (colors and the origin in the host's),
@@ -199,6 +210,8 @@ typedef struct masu_build_options {
   int for_cpu; /* not 0: what is chosen automatically is chosen for tracing on a CPU, else on a GPU */
   masu_quality quality;
   int reserved;
+  masu_go_on go_on; /* NULL: to its end */
+  void* user;       /* for go_on */
 } masu_build_options;
 
 /* Its size must be set. */
@@ -247,6 +260,8 @@ typedef struct masu_tracer_options {
   size_t gpu_count;
   int brute_force; /* not 0: without a grid every ray is tested against every primitive, for comparison */
   int reserved;
+  masu_go_on go_on; /* of the build where there is no grid; NULL: to its end */
+  void* user;       /* for go_on */
 } masu_tracer_options;
 
 /* `grid` must be of the scene's geometry. Where it is NULL, one is built with MASU_STRUCTURE_FASTEST for and
@@ -349,6 +364,8 @@ typedef struct masu_query {
   const uint32_t* ray_masks;
   masu_loop loop;
   int reserved;
+  masu_go_on go_on; /* NULL: to its end */
+  void* user;       /* for go_on */
 } masu_query;
 
 #define MASU_NONE UINT32_MAX

@@ -201,6 +201,8 @@ struct QueryOptions {
   std::span<const std::uint32_t> object_masks{}; // bits for each object of the scene; none: all are hit
   const std::uint32_t* ray_masks = nullptr;      // bits for each ray; null: all bits
   masu_loop loop = MASU_LOOP_AUTO;
+  masu_go_on go_on = nullptr; // whether to go on (masu.h)
+  void* user = nullptr;       // for go_on
 };
 
 // The hits of rays in host memory.
@@ -370,6 +372,8 @@ private:
     query.object_count = options.object_masks.size();
     query.ray_masks = options.ray_masks;
     query.loop = options.loop;
+    query.go_on = options.go_on;
+    query.user = options.user;
     return query;
   }
 

@@ -7,6 +7,7 @@
 #include "masu.h"
 #include "renderer/tracer.h"
 
+#include <functional>
 #include <memory>
 
 namespace masu {
@@ -31,9 +32,9 @@ struct masu_grid {
 namespace masu {
 
 // What MASU_STRUCTURE_FASTEST builds for a device and on it: the GPU of that number, or MASU_CPU.
-GridFile fastest_grid(const SceneFile& scene, int device);
+GridFile fastest_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress);
 // A hierarchy, built on the CPU with MASU_QUALITY_FAST.
-GridFile fast_hierarchy(const SceneFile& scene);
+GridFile fast_hierarchy(const SceneFile& scene, const std::function<void(double)>& progress);
 
 // A scene in memory whose triangles have moved. Throws as moved_triangles() does (move_passes.h).
 SceneFile moved_scene(const SceneFile& scene, const Vertices& vertices);

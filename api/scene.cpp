@@ -147,10 +147,13 @@ masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene)
     std::optional<Vec3d> origin;
     if (given.origin != nullptr) origin = vector_at(given.origin);
     const auto store = choice<Store>(given.store, 3, "store");
+    GoOn go_on(given.go_on, given.user);
+    const ProgressMonitor progress(go_on.progress());
     SceneFile file = scene_in_memory(
         scene_of(meshes, arrays_of<Sphere<double>>(given.spheres, given.sphere_count, 4, "spheres", copies),
-                 arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones", copies)),
-        store, origin);
+                 arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones", copies), &progress),
+        store, origin, &progress);
+    progress.check();
     return held(std::move(file), vertices_of(meshes));
   });
 }

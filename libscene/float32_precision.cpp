@@ -23,12 +23,14 @@ constexpr std::size_t grain = 4096;
 
 // Calls act(record, part, index) for every record, in parallel, and joins the threads' parts by `+=`.
 template <class Part, class Record, class Act>
-Part gathered(std::span<const Record> records, const Act& act) {
+Part gathered(std::span<const Record> records, const ProgressMonitor* progress, const Act& act) {
   tbb::combinable<Part> parts;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, records.size(), grain), [&](const auto& range) {
     Part& part = parts.local();
-    for (std::size_t i = range.begin(); i != range.end(); ++i)
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      if (i % grain == 0) check_progress(progress);
       act(records[i], part, i);
+    }
   });
   Part total;
   parts.combine_each([&](const Part& part) { total += part; });
@@ -157,15 +159,18 @@ struct Indices {
 };
 
 template <class Face>
-std::uint64_t triangles_alone(std::span<const Face> triangles, const Vec3d& origin, double size) {
+std::uint64_t triangles_alone(std::span<const Face> triangles, const Vec3d& origin, double size,
+                              const ProgressMonitor* progress) {
   const auto moved = [&](const Face& t) { return relative_to(origin, widened(t)); };
   const auto is_small = [size](const SceneTriangle& t) { return extent(bounds(t)) <= size; };
-  const Indices small = gathered<Indices>(triangles, [&](const Face& t, Indices& part, std::size_t i) {
-    if (is_small(moved(t))) part.list.push_back(static_cast<std::uint32_t>(i));
-  });
+  const Indices small =
+      gathered<Indices>(triangles, progress, [&](const Face& t, Indices& part, std::size_t i) {
+        if (is_small(moved(t))) part.list.push_back(static_cast<std::uint32_t>(i));
+      });
   if (small.list.empty()) return 0;
   SmallSurfaces surfaces(3 * small.list.size());
   for (const std::uint32_t i : small.list) {
+    if (surfaces.corner_count() % grain == 0) check_progress(progress);
     const SceneTriangle t = moved(triangles[i]);
     const std::uint32_t a = surfaces.add(corner_of(t.a));
     surfaces.connect(a, surfaces.add(corner_of(t.b)));
@@ -174,6 +179,7 @@ std::uint64_t triangles_alone(std::span<const Face> triangles, const Vec3d& orig
   std::vector<std::atomic<bool>> marked(surfaces.corner_count());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size(), grain), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      if (i % grain == 0) check_progress(progress);
       const SceneTriangle t = moved(triangles[i]);
       if (is_small(t)) continue;
       for (const auto& v : {t.a, t.b, t.c}) {
@@ -205,7 +211,7 @@ SceneSpans<double, SceneTriangle> spans_of(const Scene& scene, const Vec3d& orig
 }
 
 template <class Stored, class Face>
-Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene) {
+Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene, const ProgressMonitor* progress) {
   Float32Precision result;
   const bool lights_in_range =
       std::all_of(scene.lights.begin(), scene.lights.end(), [&](const Light<Stored>& light) {
@@ -227,24 +233,25 @@ Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene) {
     return result;
   }
   const double size = 2 * result.margin;
-  Found found = gathered<Found>(scene.triangles, [&](const Face& t, Found& part, std::size_t) {
+  Found found = gathered<Found>(scene.triangles, progress, [&](const Face& t, Found& part, std::size_t) {
     part.rounding = std::max(part.rounding, rounding_of(moved(t)));
   });
-  found += gathered<Found>(scene.spheres, [&](const Sphere<Stored>& stored, Found& part, std::size_t) {
-    const Sphere<double> s = moved(stored);
-    part += {rounding_of(s), extent(bounds(s)) <= size ? 1U : 0U, 0};
-  });
-  found += gathered<Found>(scene.cones, [&](const Cone<Stored>& stored, Found& part, std::size_t) {
+  found +=
+      gathered<Found>(scene.spheres, progress, [&](const Sphere<Stored>& stored, Found& part, std::size_t) {
+        const Sphere<double> s = moved(stored);
+        part += {rounding_of(s), extent(bounds(s)) <= size ? 1U : 0U, 0};
+      });
+  found += gathered<Found>(scene.cones, progress, [&](const Cone<Stored>& stored, Found& part, std::size_t) {
     const Cone<double> c = moved(stored);
     part += {rounding_of(c), extent(bounds(c)) <= size ? 1U : 0U, movement_of(c) > result.margin ? 1U : 0U};
   });
   result.rounding = found.rounding;
   result.moved_cones = found.moved;
-  result.standing_alone = found.small + triangles_alone(scene.triangles, scene.origin, size);
+  result.standing_alone = found.small + triangles_alone(scene.triangles, scene.origin, size, progress);
   return result;
 }
-template Float32Precision float32_precision(const SceneSpans<float>&);
-template Float32Precision float32_precision(const SceneSpans<double>&);
-template Float32Precision float32_precision(const SceneSpans<double, SceneTriangle>&);
+template Float32Precision float32_precision(const SceneSpans<float>&, const ProgressMonitor*);
+template Float32Precision float32_precision(const SceneSpans<double>&, const ProgressMonitor*);
+template Float32Precision float32_precision(const SceneSpans<double, SceneTriangle>&, const ProgressMonitor*);
 
 } // namespace masu

@@ -5,6 +5,7 @@
 // (margin.h), and results are right to that bound in any case.
 #pragma once
 
+#include "libscene/base/progress_monitor.h"
 #include "libscene/local_origin.h"
 #include "libscene/scene_view.h"
 
@@ -63,9 +64,11 @@ SceneSpans<Stored> spans_of(const SceneView<Stored>& view) {
 // the margin, which results can't tell anyway. Corners farther apart may be meant as one, but a gap is
 // between them, so they aren't.
 template <class Stored, class Face>
-Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene);
-inline Float32Precision float32_precision(const Scene& scene, const Vec3d& origin = {0, 0, 0}) {
-  return float32_precision(spans_of(scene, origin));
+Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene,
+                                   const ProgressMonitor* progress = nullptr);
+inline Float32Precision float32_precision(const Scene& scene, const Vec3d& origin = {0, 0, 0},
+                                          const ProgressMonitor* progress = nullptr) {
+  return float32_precision(spans_of(scene, origin), progress);
 }
 
 } // namespace masu

@@ -4,6 +4,8 @@
 
 #include "renderer/tracer.h"
 
+#include <algorithm>
+
 namespace masu {
 
 // Where a frame keeps its costs.
@@ -55,6 +57,11 @@ void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFil
 // results of a third come back.
 inline std::size_t rays_per_piece(const RaysRequest& request) {
   return std::max((std::size_t{1} << 20) / hit_rules(request).row(), std::size_t{1});
+}
+// The share of a list of which devices have taken so many pieces.
+inline double share_of_pieces(std::size_t pieces, const RayList& rays, const RaysRequest& request) {
+  return std::min(static_cast<double>(pieces * rays_per_piece(request)) / static_cast<double>(rays.count),
+                  1.0);
 }
 // Of rays in host memory: the pieces of a list that it takes from a counter, which devices share.
 QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,

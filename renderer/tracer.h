@@ -153,6 +153,9 @@ struct RaysRequest {
   RayLoop loop = RayLoop::warp_refill;
   Faces faces = Faces::both; // that count as hits
   std::uint32_t limit = 1;   // hits per ray, of all_hits
+  // Of a list in host memory: gets the share of rays traced, now and then, from any thread; what it throws
+  // ends the query.
+  std::function<void(double)> progress{};
 };
 
 // Whether hits are found in their order (hit_list.h), by `robust` or `double`, and aren't counted.

@@ -188,13 +188,33 @@ void add_options(const CommandLine& command, Settings& settings) {
   settings.threads.add_to(command);
 }
 
-void run(Settings& settings) {
+// That none of the grids that may be built has.
+void refuse_useless(const CommandLine& command, const BuildOptions& options) {
+  const GridKind kind = options.grid.kind;
+  const bool is_hierarchy = kind == GridKind::hierarchy,
+             is_chosen = (kind == GridKind::automatic || kind == GridKind::fastest) &&
+                         options.division.kind == DivisionRule::Kind::automatic,
+             is_irregular = kind == GridKind::irregular || is_chosen;
+  const char *const of_grids = "is of grids of voxels: a hierarchy has none",
+                    *const of_irregular = "is of irregular grids: give --merge irregular";
+  command.refuse({{"--division", is_hierarchy, of_grids},
+                  {"--overlap", is_hierarchy, of_grids},
+                  {"--target", kind != GridKind::balance, "is of balanced grids: give --merge balance"},
+                  {"--nested", !is_irregular, of_irregular},
+                  {"--step-cost", !is_irregular, of_irregular},
+                  {"--detail", !is_irregular, of_irregular},
+                  {"--alpha", !is_irregular, of_irregular},
+                  {"--expand", !is_irregular, of_irregular}});
+}
+
+void run(Settings& settings, const CommandLine& command) {
   const auto limit = settings.threads.limit();
   try {
     BuildOptions& options = settings.options; // are checked before anything is read
     options.division = parse_division(settings.division);
     options.grid.kind =
         kind_of(settings.structure, options.grid.kind, options.division, options.grid.quality);
+    refuse_useless(command, options);
     check_scene_input(settings.scene);
     check_files({settings.scene}, {settings.output});
     const SceneFile scene(settings.scene);

@@ -198,12 +198,26 @@ TracingReport render_channels(const Tracer& tracer, const Settings& settings, co
                         progress.callback());
 }
 
+// Options that would have no effect are errors.
+void refuse_useless(const CommandLine& command, const Settings& settings) {
+  const bool has_picture = !settings.output.empty() && !settings.no_picture;
+  std::vector<Channel> channels;
+  if (!settings.channels.empty()) channels = parse_channels(settings.channels);
+  const bool has_costs =
+      std::ranges::count(channels, Channel::cells) + std::ranges::count(channels, Channel::tests) > 0;
+  command.refuse(
+      {{"--hit-name", settings.hits.empty(), "is for --hits"},
+       {"--format", !has_picture, "is for a picture: give -o"},
+       {"--srgb", !has_picture || format_of(settings) == ImageFormat::pfm, "is for pictures in PNG or JPEG"},
+       {"--channel-format", channels.empty(), "is for --channels"},
+       {"--channel-high", !channels.empty() && !has_costs, "is for the channels cells and tests"}});
+}
+
 void render(const Settings& settings, Ranks& ranks) {
   const Sharing sharing{ranks, settings.tracing.resume};
   check(settings, sharing);
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
-  const OpenedScene opened("gridrender", settings.tracing,
-                           settings.tracing.devices.gpus("gridrender", ranks, true));
+  const OpenedScene opened("gridrender", settings.tracing, settings.tracing.devices.gpus(ranks));
   const ViewsRequest views = views_request(settings, opened, sharing);
   TracingReport report;
   if (wants_picture(settings)) report = render_pictures(opened.tracer(), views, sharing, quiet);
@@ -287,6 +301,7 @@ int main(int argc, char** argv) {
                           add_options(command, settings);
                           Ranks& ranks = parse();
                           const auto limit = settings.tracing.limit_threads(ranks);
+                          refuse_useless(command, settings);
                           render(settings, ranks);
                         });
 }

@@ -195,7 +195,9 @@ void add_options(const CommandLine& command, Settings& settings) {
           .type_name("SCENE")
           .excludes(grid)
           .excludes(slice)
-          .excludes(cells);
+          .excludes(cells)
+          .excludes(csv)
+          .excludes(histogram);
   command.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis")
       .type_name("LIST")
       .comma_separated()

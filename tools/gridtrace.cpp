@@ -59,6 +59,11 @@ RayFormat ray_format(const Settings& settings) {
   return {settings.ray_numbers, is_float64, settings.relative};
 }
 
+// Whether a file of text has a line for each hit.
+bool lists_hits(const Settings& settings) {
+  return settings.all_hits > 0 && settings.hits.ends_with(".csv");
+}
+
 std::string written_fields(const Settings& settings) {
   if (!settings.write.empty()) return settings.write;
   const std::string of_hit = usual_fields(settings.hit_name);
@@ -68,7 +73,7 @@ std::string written_fields(const Settings& settings) {
   case Query::count_hits:
     return "count";
   case Query::all_hits:
-    return "count," + of_hit + ",front";
+    return (lists_hits(settings) ? "" : "count,") + of_hit + ",front";
   default:
     return of_hit;
   }
@@ -85,6 +90,8 @@ void check_fields(const Settings& settings) {
       needs(query == Query::occlusion, "occluded needs --any-hit");
     else if (field == HitField::inside)
       needs(query == Query::count_hits, "inside needs --count-hits");
+    else if (field == HitField::count && lists_hits(settings))
+      needs(false, "count isn't of a hit, and a .csv has a line for each: leave it out");
     else if (field == HitField::count)
       needs(query == Query::count_hits || query == Query::all_hits, "count needs --count-hits or --all-hits");
     else
@@ -152,8 +159,7 @@ std::vector<std::uint32_t> object_masks(const std::string& list, std::uint64_t o
 void trace_list(const Settings& settings, const Sharing& sharing) {
   Ranks& ranks = sharing.ranks;
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
-  const OpenedScene opened("gridtrace", settings.tracing,
-                           settings.tracing.devices.gpus("gridtrace", ranks, true));
+  const OpenedScene opened("gridtrace", settings.tracing, settings.tracing.devices.gpus(ranks));
   RayListJob job{settings.rays, settings.hits, ray_format(settings)};
   job.fields = hit_fields(written_fields(settings));
   job.request.tracing = settings.tracing.tracing();
@@ -222,16 +228,18 @@ constexpr const char *hits_group = "Hits", *rays_group = "Rays",
 void add_list_options(const CommandLine& command, Settings& settings) {
   command.group(hits_group);
   command
-      .add_option("-o,--output", settings.hits,
-                  "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
-                  "or what --write says; .npy: a NumPy array; .csv: text; - is standard output")
+      .add_option(
+          "-o,--output", settings.hits,
+          "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
+          "or what --write says; .npy: a NumPy array; .csv: text, with --all-hits a line for each hit; "
+          "- is standard output")
       .type_name("HITS");
   command
       .add_option(
           "--write", settings.write,
           "fields of a record: a list of t, t64 (of 64 bits), object, primitive, face, uv, normal, front "
-          "(default t,object); with --all-hits also count (default count,t,object,front); with --count-hits "
-          "count and inside; with --any-hit occluded")
+          "(default t,object); with --all-hits also count (default count,t,object,front; in .csv without "
+          "count); with --count-hits count and inside; with --any-hit occluded")
       .type_name("LIST");
   add_hit_name(command, settings.hit_name, "what a record names without --write");
   const Option any =
@@ -295,7 +303,8 @@ void add_walk_options(const CommandLine& command, Settings& settings) {
 }
 
 // Options that would have no effect are errors.
-void refuse_useless(const CommandLine& command, bool is_walk) {
+void refuse_useless(const CommandLine& command, const Settings& settings) {
+  const bool is_walk = settings.is_walk();
   const std::set<std::string> of_lists{hits_group, rays_group, "Reports"};
   for (const Option option : command.options()) {
     const std::string name = option.name(), group = option.heading();
@@ -305,6 +314,20 @@ void refuse_useless(const CommandLine& command, bool is_walk) {
                 is_walk ? "is for a list of rays: leave it out with --ray and --pixel"
                         : "is for the walk of one ray: give --ray or --pixel");
   }
+  const bool says_its_numbers = settings.rays.ends_with(".npy") || settings.rays.ends_with(".csv"),
+             needs_no_name = !settings.write.empty() || settings.any_hit || settings.count_hits,
+             is_one_ray = is_walk && !settings.all_rays;
+  const char *const numbers = "is for numbers alone: a .npy or .csv says it itself",
+                    *const secondary = "is for the rays that one spawns: give --all-rays",
+                    *const on_cpu = "has no effect: the walk of one ray is found on the CPU";
+  command.refuse(
+      {{"--ray-numbers", says_its_numbers, numbers},
+       {"--ray-store", says_its_numbers, numbers},
+       {"--hit-name", needs_no_name, "is for records without --write, of hits: leave one of them out"},
+       {"--depth", is_one_ray, secondary},
+       {"--spd-rules", is_one_ray, secondary},
+       {"--backend", is_walk && settings.tracing.devices.backend == Backend::cuda, on_cpu},
+       {"--devices", is_walk && settings.tracing.devices.devices != "cpu", on_cpu}});
 }
 
 } // namespace
@@ -331,7 +354,7 @@ int main(int argc, char** argv) {
         if (tracing.brute_force && settings.rays.empty() && !settings.is_walk())
           std::swap(settings.rays, tracing.grid); // SCENE RAYS
         const auto limit = tracing.limit_threads(ranks);
-        refuse_useless(command, settings.is_walk());
+        refuse_useless(command, settings);
         const Sharing sharing{ranks, tracing.resume};
         check(settings, sharing);
         if (!settings.is_walk()) return trace_list(settings, sharing);

@@ -84,7 +84,7 @@ void run(Settings& settings) {
   }
   check_scene_input(settings.viewer.scene);
   const auto limit = settings.threads.limit();
-  const bool cuda = use_cuda(settings.backend, "gridview", settings.quiet);
+  const bool cuda = use_cuda(settings.backend);
   ViewerSettings viewed = settings.viewer;
   viewed.device = cuda ? Device::cuda : Device::cpu;
   if (!settings.exported.path.empty()) return export_file(settings, viewed);
@@ -100,7 +100,9 @@ void run(Settings& settings) {
   const std::string token = settings.token || !is_loopback_address(settings.address) ? random_token() : "";
   HttpServer server =
       listening(settings, token, [&viewer](const HttpRequest& request) { return answer(viewer, request); });
-  print_address(settings, server.port(), token, device_name(cuda));
+  std::string device = device_name(cuda);
+  if (const std::string why = why_no_gpu(settings.backend); !why.empty()) device += fmt::format(" ({})", why);
+  print_address(settings, server.port(), token, device);
   server.serve();
 }
 
@@ -111,22 +113,29 @@ void add_options(const CommandLine& command, Settings& settings) {
       .required()
       .values(1, 16);
   command.group("Server");
-  command
-      .add_option(
-          "--port", settings.port,
-          fmt::format("port to listen on; 0: any that is free; without it {}, or any where that is taken",
-                      usual_port))
-      .range(0, 65535);
-  command
-      .add_option("--bind", settings.address,
-                  "address to listen on; any but loopback's needs the token that is printed")
-      .type_name("ADDRESS")
-      .shows_default();
-  command.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
+  const Option port =
+      command
+          .add_option(
+              "--port", settings.port,
+              fmt::format("port to listen on; 0: any that is free; without it {}, or any where that is taken",
+                          usual_port))
+          .range(0, 65535);
+  const Option bind =
+      command
+          .add_option("--bind", settings.address,
+                      "address to listen on; any but loopback's needs the token that is printed")
+          .type_name("ADDRESS")
+          .shows_default();
+  const Option token =
+      command.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
   command.group("Instead of a server");
-  const Option file = command.add_file("--export", settings.exported.path,
-                                       "write the page to this .html instead of serving it: pictures around "
-                                       "the scene, channels, slices and statistics in one file");
+  const Option file = command
+                          .add_file("--export", settings.exported.path,
+                                    "write the page to this .html instead of serving it: pictures around "
+                                    "the scene, channels, slices and statistics in one file")
+                          .excludes(port)
+                          .excludes(bind)
+                          .excludes(token);
   command.add_number("--views", settings.exported.views, 1, 360, "of --export: how many, on a circle")
       .needs(file);
   command.add_option("--size", settings.size, "of --export: pixels instead of 640x480")

@@ -52,7 +52,7 @@ void convert(const Settings& settings) {
   write_and_report("nff2bin", settings.input == "-" ? "stdin" : settings.input, scene, settings.output);
 }
 
-void run(const Settings& settings) {
+void run(const Settings& settings, const CommandLine& command) {
   settings.output.check();
   const auto limit = settings.threads.limit();
   check_files({settings.input}, {settings.output.path});
@@ -62,6 +62,8 @@ void run(const Settings& settings) {
                 "is a scene file already: give an NFF file, or leave out -o");
   if (settings.facets > 0)
     throw Error(ErrorCode::usage, settings.input, "is a scene file already: --tessellate needs an NFF file");
+  constexpr const char* is_stored = "is for a scene that is made: IN is a scene file already";
+  command.refuse({{"--store", true, is_stored}, {"--origin", true, is_stored}});
   print_report(SceneFile(settings.input), settings.output.json);
 }
 

@@ -120,7 +120,7 @@ template <class Stored>
 class BinaryBuilder {
 public:
   BinaryBuilder(const SceneView<Stored>& scene, double margin, const HostArray<BinaryNode>& leaves,
-                const std::function<void(double)>& progress)
+                ProgressMonitor* progress)
       : scene_(scene), margin_(margin), progress_(progress),
         count_(static_cast<std::uint32_t>(leaves.size())),
         fragments_(static_cast<std::size_t>((1 + spare_fragments) * count_)), nodes_(2 * fragments_.size()),
@@ -140,14 +140,16 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t fragments_per_task = 1 << 14;
+  static constexpr std::uint32_t fragments_per_task = 1 << 14, fragments_per_check = 1 << 12;
 
   // Adds up what add(Result&, fragment) makes of each, in parallel for many; join(a, b) in any order.
   template <class Result, class Add, class Join>
   Result summed(const FragmentRange& range, const Add& add, const Join& join) const {
     const auto added = [&](std::uint32_t begin, std::uint32_t end, Result& sum) {
-      for (std::uint32_t i = begin; i != end; ++i)
+      for (std::uint32_t i = begin; i != end; ++i) {
+        if (i % fragments_per_check == 0) check_progress(progress_);
         add(sum, fragments_[i]);
+      }
     };
     Result sum{};
     if (range.count <= fragments_per_task) {
@@ -264,6 +266,7 @@ private:
     const float plane = binning.plane(best.axis, best.bin);
     const std::uint32_t count = range.count;
     for (std::uint32_t i = range.first; i != range.first + count && range.room > 0; ++i) {
+      if (i % fragments_per_check == 0) check_progress(progress_);
       HierarchyFragment& fragment = fragments_[i];
       if (binning.bin(fragment.box.low, best.axis) > best.bin ||
           binning.bin(fragment.box.high, best.axis) <= best.bin)
@@ -325,8 +328,9 @@ private:
     } else {
       split_left();
       split_right();
-      if (range.count > 512 && progress_)
-        progress_(std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
+      if (range.count > 512 && progress_ != nullptr)
+        (*progress_)(
+            std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
     }
     node.count = nodes_[left].count + nodes_[left + 1].count; // with what was divided below
     set_costs(number, collapse_costs(node, costs_[left], costs_[left + 1]));
@@ -339,7 +343,7 @@ private:
 
   const SceneView<Stored>& scene_;
   double margin_;
-  const std::function<void(double)>& progress_;
+  ProgressMonitor* progress_;
   std::uint32_t count_; // of leaves
   HostArray<HierarchyFragment> fragments_;
   HostArray<BinaryNode> nodes_;
@@ -355,14 +359,12 @@ private:
 template <class Stored>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
                                               const HostArray<BinaryNode>& leaves,
-                                              const std::function<void(double)>& progress) {
+                                              ProgressMonitor* progress) {
   return BinaryBuilder<Stored>(scene, margin, leaves, progress).build();
 }
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, double,
-                                                       const HostArray<BinaryNode>&,
-                                                       const std::function<void(double)>&);
+                                                       const HostArray<BinaryNode>&, ProgressMonitor*);
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<double>&, double,
-                                                       const HostArray<BinaryNode>&,
-                                                       const std::function<void(double)>&);
+                                                       const HostArray<BinaryNode>&, ProgressMonitor*);
 
 } // namespace masu

@@ -6,7 +6,6 @@
 #include "libscene/scene_view.h"
 
 #include <cmath>
-#include <functional>
 
 namespace masu {
 
@@ -49,11 +48,10 @@ struct HierarchyFragment {
 // Bounding Volume Hierarchies", RT 2007), with what the leaves hold of primitives divided further at planes
 // where boxes would overlap (Stich, Friedrich & Dietrich, "Spatial Splits in Bounding Volume Hierarchies",
 // HPG 2009). Boxes contain `margin` around each primitive. No more than max_hierarchy_depth nodes deep.
-// `progress` gets shares of the work, from any thread.
+// `progress` gets shares of the work.
 template <class Stored>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
-                                              const HostArray<BinaryNode>& leaves,
-                                              const std::function<void(double)>& progress);
+                                              const HostArray<BinaryNode>& leaves, ProgressMonitor* progress);
 
 // About how many bytes per primitive the binary hierarchy takes, and what it is made into.
 inline constexpr double hierarchy_bytes_per_primitive = 300;

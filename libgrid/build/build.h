@@ -6,6 +6,7 @@
 #include "libgrid/trace/grid_records.h"
 #include "libscene/base/error.h"
 #include "libscene/base/host_array.h"
+#include "libscene/base/progress_monitor.h"
 #include "libscene/scene_view.h"
 
 namespace masu {
@@ -62,6 +63,7 @@ inline void check_primitives(std::uint64_t count) {
 
 // Throws Error(input) for more primitives than grids can number.
 template <class Stored>
-Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap);
+Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                  ProgressMonitor* progress = nullptr);
 
 } // namespace masu

@@ -23,12 +23,13 @@ template class GridBuilder<float>;
 template class GridBuilder<double>;
 
 template <class Stored>
-Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
-  TbbExecutor executor;
+Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                  ProgressMonitor* progress) {
+  TbbExecutor executor{progress};
   return uniform_grid(executor, scene, layout, overlap);
 }
-template Grid uniform_grid(const SceneView<float>&, const GridLayout&, Overlap);
-template Grid uniform_grid(const SceneView<double>&, const GridLayout&, Overlap);
+template Grid uniform_grid(const SceneView<float>&, const GridLayout&, Overlap, ProgressMonitor*);
+template Grid uniform_grid(const SceneView<double>&, const GridLayout&, Overlap, ProgressMonitor*);
 
 namespace {
 
@@ -36,12 +37,12 @@ template <class Stored>
 class CpuBuilder final : public GridBuilder<Stored> {
 public:
   CpuBuilder(const SceneView<Stored>& scene, std::function<void(double)> progress)
-      : scene_(scene), progress_(std::move(progress)) {}
+      : GridBuilder<Stored>(std::move(progress)), scene_(scene) {}
   Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    if (options.kind == GridKind::hierarchy)
-      return hierarchy_grid(scene_, layout, options.quality, progress_);
-    return options.kind == GridKind::uniform ? uniform_grid(scene_, layout, overlap)
-                                             : merged_grid(scene_, layout, overlap, options, progress_);
+    ProgressMonitor* const progress = &this->progress();
+    if (options.kind == GridKind::hierarchy) return hierarchy_grid(scene_, layout, options.quality, progress);
+    return options.kind == GridKind::uniform ? uniform_grid(scene_, layout, overlap, progress)
+                                             : merged_grid(scene_, layout, overlap, options, progress);
   }
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
     return refit_hierarchy(scene_, layout, hierarchy);
@@ -50,7 +51,6 @@ public:
 
 private:
   SceneView<Stored> scene_;
-  std::function<void(double)> progress_;
 };
 
 } // namespace

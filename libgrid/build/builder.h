@@ -2,9 +2,11 @@
 #pragma once
 
 #include "libgrid/build/build.h"
+#include "libscene/base/progress_monitor.h"
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace masu {
 
@@ -18,7 +20,8 @@ struct DeviceSeconds {
 template <class Stored>
 class GridBuilder {
 public:
-  GridBuilder() = default;
+  // What `progress` throws ends a build, and any thread may call it (progress_monitor.h).
+  explicit GridBuilder(std::function<void(double)> progress = {}) : progress_(std::move(progress)) {}
   GridBuilder(const GridBuilder&) = delete;
   GridBuilder& operator=(const GridBuilder&) = delete;
   virtual ~GridBuilder() = default;
@@ -35,9 +38,14 @@ public:
 
   virtual const SceneView<Stored>& scene() const = 0;
   virtual DeviceSeconds device_seconds() const { return {}; }
+  // Of what is built next.
+  ProgressMonitor& progress() { return progress_; }
+
+private:
+  ProgressMonitor progress_;
 };
 
-// `progress` gets shares of the work of merged grids.
+// `progress` gets shares of the work of merged grids and hierarchies of high quality.
 template <class Stored>
 std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
                                                  std::function<void(double)> progress = {});
@@ -45,7 +53,8 @@ std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
 // On a CUDA device, which is the thread's current one until the builder is destroyed. Throws Error(device)
 // where there is none, and when it fails.
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device = 0);
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device = 0,
+                                                  std::function<void(double)> progress = {});
 
 // On the CPU.
 template <class Stored>

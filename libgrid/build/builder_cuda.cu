@@ -13,6 +13,7 @@
 #include "libscene/cuda/device_primitives.h"
 #include "libscene/geometry/margin.h"
 
+#include <chrono>
 #include <future>
 
 namespace masu {
@@ -32,32 +33,37 @@ struct UploadedScene {
 };
 
 // Calls act() in a thread of its own, whose device is the GPU whatever the caller's is, and which has no
-// errors of the caller's that CUB would take for its own.
+// errors of the caller's that CUB would take for its own. The caller reports while it waits.
 template <class Act>
-auto on_gpu(int gpu, const Act& act) {
-  return std::async(std::launch::async,
-                    [&] {
-                      check(cudaSetDevice(gpu));
-                      return act();
-                    })
-      .get();
+auto on_gpu(int gpu, const Act& act, const ProgressMonitor* progress = nullptr) {
+  auto end = std::async(std::launch::async, [&] {
+    check(cudaSetDevice(gpu));
+    return act();
+  });
+  while (progress != nullptr && end.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+    progress->check();
+  return end.get();
 }
 
 template <class Stored>
 class CudaBuilder final : public GridBuilder<Stored> {
 public:
-  CudaBuilder(const SceneView<Stored>& scene, int gpu) : host_(scene), gpu_(gpu) {
+  CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress)
+      : GridBuilder<Stored>(std::move(progress)), host_(scene), gpu_(gpu) {
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
-    on_gpu(gpu_, [&] {
-      const Stopwatch watch;
-      pool_ = std::make_unique<MemoryPool>();
-      executor_ = std::make_unique<CudaExecutor>(*pool_);
-      warm_up();
-      seconds_.set_up = watch.seconds();
-      device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_);
-      seconds_.upload = watch.seconds() - seconds_.set_up;
-    });
+    on_gpu(
+        gpu_,
+        [&] {
+          const Stopwatch watch;
+          pool_ = std::make_unique<MemoryPool>();
+          executor_ = std::make_unique<CudaExecutor>(*pool_, &this->progress());
+          warm_up();
+          seconds_.set_up = watch.seconds();
+          device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_);
+          seconds_.upload = watch.seconds() - seconds_.set_up;
+        },
+        &this->progress());
   }
   ~CudaBuilder() override {
     on_device_if_possible(gpu_, [&] { device_.reset(); });
@@ -67,16 +73,19 @@ public:
 
   Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::hierarchy && options.quality == HierarchyQuality::high)
-      return hierarchy_grid(host_, layout); // by the CPU
-    return on_gpu(gpu_, [&] {
-      if (options.kind == GridKind::hierarchy) {
-        check_hierarchy(host_.primitive_count(), layout.space);
-        return built([&] { return fast_hierarchy(device_->view, layout); });
-      }
-      if (options.kind == GridKind::uniform)
-        return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
-      return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
-    });
+      return hierarchy_grid(host_, layout, options.quality, &this->progress()); // by the CPU
+    return on_gpu(
+        gpu_,
+        [&] {
+          if (options.kind == GridKind::hierarchy) {
+            check_hierarchy(host_.primitive_count(), layout.space);
+            return built([&] { return fast_hierarchy(device_->view, layout); });
+          }
+          if (options.kind == GridKind::uniform)
+            return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
+          return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
+        },
+        &this->progress());
   }
 
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
@@ -185,10 +194,13 @@ template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const 
                                                 const MovedVertices<double>&, cudaMemPool_t, int);
 
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device) {
-  return std::make_unique<CudaBuilder<Stored>>(scene, device);
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device,
+                                                  std::function<void(double)> progress) {
+  return std::make_unique<CudaBuilder<Stored>>(scene, device, std::move(progress));
 }
-template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&, int);
-template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&, int);
+template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&, int,
+                                                          std::function<void(double)>);
+template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&, int,
+                                                           std::function<void(double)>);
 
 } // namespace masu

@@ -147,10 +147,12 @@ Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& b
   constexpr double clearly = 0.95;
   Grid fastest;
   double least = std::numeric_limits<double>::infinity();
+  std::size_t tried = 0;
   for (const Candidate& candidate : candidates) {
+    builder.progress().begin_part(tried++, candidates.size());
     Grid built = builder.try_build(candidate.layout, options.overlap, of_kind(candidate.kind, options.grid));
     if (built.exceeded != nullptr) continue;
-    const SampledCosts costs = sampled_costs(builder.scene(), built);
+    const SampledCosts costs = sampled_costs(builder.scene(), built, &builder.progress());
     const double time = expected_time(costs, candidate.kind, options.processor);
     considered.push_back({candidate.kind, candidate.layout.division, costs, time});
     if (!(time < clearly * least)) continue;

@@ -44,8 +44,8 @@ struct DescribedGrid {
 // primitives, or too far away. The choice depends on the geometry and the options alone. Kind automatic with
 // a given division is uniform.
 //
-// Throws Error(usage, "division", …) for a division that is too fine, or needs more memory than there is, and
-// as the builder does.
+// The builder's progress gets shares of all of that. Throws Error(usage, "division", …) for a division that
+// is too fine, or needs more memory than there is, and as the builder does.
 template <class Stored>
 DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
                            const BuildOptions& options);

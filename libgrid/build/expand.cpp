@@ -200,14 +200,18 @@ private:
 };
 
 template <class Act>
-void for_all_cells(std::uint64_t count, const Act& act) {
-  constexpr std::size_t cells_per_task = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, cells_per_task),
-                    [&](const auto& range) { act(range.begin(), range.end()); });
+void for_all_cells(const TbbExecutor& executor, std::uint64_t count, const Act& act) {
+  constexpr std::size_t cells_per_task = 4096, cells_per_check = 8 * cells_per_task;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, cells_per_task), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); i += cells_per_check) {
+      check_progress(executor.progress);
+      act(i, std::min(i + cells_per_check, range.end()));
+    }
+  });
 }
 
-void expand_all(Expansion& expansion) {
-  for_all_cells(expansion.count, [&](std::size_t begin, std::size_t end) {
+void expand_all(const TbbExecutor& executor, Expansion& expansion) {
+  for_all_cells(executor, expansion.count, [&](std::size_t begin, std::size_t end) {
     FaceLanes<0, 0>(expansion, begin, end).expand();
     FaceLanes<0, 1>(expansion, begin, end).expand();
     FaceLanes<1, 0>(expansion, begin, end).expand();
@@ -219,18 +223,18 @@ void expand_all(Expansion& expansion) {
 
 } // namespace
 
-void expand_cells(TbbExecutor&, const MergedGridView<double>& grid, std::uint64_t count, MergedCell* cells,
-                  int rounds) {
+void expand_cells(TbbExecutor& executor, const MergedGridView<double>& grid, std::uint64_t count,
+                  MergedCell* cells, int rounds) {
   if (rounds == 0) return;
   Expansion expansion{grid, count, cells, std::vector<Neighbour>(count), std::vector<std::uint8_t>(count, 0)};
-  for_all_cells(count, [&](std::size_t begin, std::size_t end) {
+  for_all_cells(executor, count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i != end; ++i)
       expansion.before[i] = as_neighbour(cells[i], grid.references);
   });
   for (int round = 0; round < rounds; ++round) {
-    expand_all(expansion);
+    expand_all(executor, expansion);
     if (round + 1 == rounds) break;
-    for_all_cells(count, [&](std::size_t begin, std::size_t end) {
+    for_all_cells(executor, count, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i != end; ++i)
         set_expanded(expansion.before[i], cells[i]);
     });

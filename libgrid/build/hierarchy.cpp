@@ -39,19 +39,17 @@ void check_hierarchy(std::uint64_t primitives, const Boxd& space) {
 
 template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality,
-                    const std::function<void(double)>& progress) {
+                    ProgressMonitor* progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
-  TbbExecutor executor;
+  TbbExecutor executor{progress};
   const auto leaves = hierarchy_leaves(executor, scene, layout);
   return collapsed_hierarchy(executor, layout,
                              quality == HierarchyQuality::fast
                                  ? top_down_hierarchy(executor, leaves, layout.space)
                                  : binary_hierarchy(scene, layout.margin, leaves, progress));
 }
-template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, HierarchyQuality,
-                             const std::function<void(double)>&);
-template Grid hierarchy_grid(const SceneView<double>&, const GridLayout&, HierarchyQuality,
-                             const std::function<void(double)>&);
+template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, HierarchyQuality, ProgressMonitor*);
+template Grid hierarchy_grid(const SceneView<double>&, const GridLayout&, HierarchyQuality, ProgressMonitor*);
 
 template <class Stored>
 bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, Grid& hierarchy) {

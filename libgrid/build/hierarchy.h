@@ -2,9 +2,8 @@
 #pragma once
 
 #include "libgrid/build/build.h"
+#include "libscene/base/progress_monitor.h"
 #include "libscene/scene_view.h"
-
-#include <functional>
 
 namespace masu {
 
@@ -37,11 +36,11 @@ inline const char* merge_rule_of(HierarchyQuality quality) {
 // top down (binary_hierarchy.h, top_down_passes.h); then the cheapest nodes of eight boxes that it can be
 // collapsed to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's
 // space, in one voxel; boxes contain the layout's margin around each primitive. The root comes first, then
-// depth first, a node's nodes side by side. `progress` gets shares of the work of high quality, from any
-// thread. Throws as check_hierarchy() does.
+// depth first, a node's nodes side by side. `progress` gets shares of the work of high quality. Throws as
+// check_hierarchy() does.
 template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality = {},
-                    const std::function<void(double)>& progress = {});
+                    ProgressMonitor* progress = nullptr);
 
 // Fits a hierarchy to the scene's primitives where they have moved: the same nodes and references, with boxes
 // of the layout's margin around what they hold. What was divided is held whole by one of its boxes. Rays

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <mutex>
 
 namespace masu {
 
@@ -94,23 +93,21 @@ Grid build_in_parts(TbbExecutor& executor, const GridLayout& layout, const Voxel
   const std::vector<VoxelSpan> spans = parts_of(all, layout.division);
   std::vector<Grid> parts(spans.size());
   const auto is_large = [&](std::size_t i) { return spans[i].pairs > 16 * max_part_pairs; };
-  std::mutex counting;
-  std::size_t finished = 0;
+  std::atomic<std::size_t> finished = 0;
   const std::uint64_t top_words = rounded_to_unit(all.size());
   std::atomic<std::uint64_t> words =
       top_words; // of the parts so far: if too many, the others needn't be built
   const auto too_many = [&] { return exceeded_by_sizes(0, 0, top_words, words, max_words); };
   tbb::parallel_for(std::size_t{0}, spans.size(), [&](std::size_t i) {
-    SerialExecutor serial;
+    SerialExecutor serial{executor.progress};
     if (too_many() != nullptr) return;
     if (!is_large(i)) {
       parts[i] = build_part(serial, spans[i]);
       words +=
           parts[i].voxel_map.size() - std::min(parts[i].voxel_map.size(), rounded_to_unit(spans[i].size()));
     }
-    if (!executor.progress) return;
-    const std::lock_guard lock(counting);
-    executor.progress(parts_share * static_cast<double>(++finished) / static_cast<double>(spans.size()));
+    if (executor.progress != nullptr)
+      (*executor.progress)(parts_share * static_cast<double>(++finished) / static_cast<double>(spans.size()));
   });
   Grid whole{layout};
   if ((whole.exceeded = too_many()) != nullptr) return whole;
@@ -146,14 +143,13 @@ Grid build_in_parts(TbbExecutor& executor, const GridLayout& layout, const Voxel
 
 template <class Stored>
 Grid merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                 const GridOptions& options, const std::function<void(double)>& progress) {
-  TbbExecutor executor;
-  executor.progress = progress;
+                 const GridOptions& options, ProgressMonitor* progress) {
+  TbbExecutor executor{progress};
   return merged_grid(executor, scene, layout, overlap, options);
 }
 template Grid merged_grid(const SceneView<float>&, const GridLayout&, Overlap, const GridOptions&,
-                          const std::function<void(double)>&);
+                          ProgressMonitor*);
 template Grid merged_grid(const SceneView<double>&, const GridLayout&, Overlap, const GridOptions&,
-                          const std::function<void(double)>&);
+                          ProgressMonitor*);
 
 } // namespace masu

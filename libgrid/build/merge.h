@@ -3,8 +3,7 @@
 
 #include "libgrid/build/build.h"
 #include "libgrid/build/passes/splitter.h"
-
-#include <functional>
+#include "libscene/base/progress_monitor.h"
 
 namespace masu {
 
@@ -38,9 +37,9 @@ const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std
                               std::uint64_t words, std::uint64_t max_words = max_nested_words);
 
 // Of kind x, balance or irregular. Independent of the number of threads. Throws Error(input) for more
-// primitives than grids can number. `progress` gets shares of the work, by one thread at a time.
+// primitives than grids can number. `progress` gets shares of the work.
 template <class Stored>
 Grid merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                 const GridOptions& options, const std::function<void(double)>& progress = {});
+                 const GridOptions& options, ProgressMonitor* progress = nullptr);
 
 } // namespace masu

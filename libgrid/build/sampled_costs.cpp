@@ -79,12 +79,14 @@ RayCost mean(const std::vector<StepCounts>& counts, std::size_t rays) {
 }
 
 template <class Stored, class View>
-SampledCosts costs_through(const SceneView<Stored>& scene, const View& view) {
+SampledCosts costs_through(const SceneView<Stored>& scene, const View& view,
+                           const ProgressMonitor* progress) {
   const Boxd space = cast<double>(scene.clip);
   const Sphere<double> sphere = sphere_around(space);
   std::vector<StepCounts> across(rays_per_set), aimed(rays_per_set), scattered(rays_per_set);
   std::vector<std::uint8_t> is_hit(rays_per_set);
   tbb::parallel_for(std::size_t{0}, rays_per_set, [&](std::size_t i) {
+    if (i % 16 == 0) check_progress(progress);
     RandomSequence random(1, i);
     across[i] = trace(scene, view, ray_across(sphere, random), random).counts;
     const Traced first = trace(scene, view, aimed_ray(scene, space, random), random);
@@ -118,14 +120,15 @@ UnitCosts unit_costs(GridKind kind, Processor processor) {
 } // namespace
 
 template <class Stored>
-SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid) {
+SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid,
+                           const ProgressMonitor* progress) {
   SampledCosts costs;
   if (scene.primitive_count() == 0) return costs;
-  with_grid_view<double>(grid, [&](const auto& view) { costs = costs_through(scene, view); });
+  with_grid_view<double>(grid, [&](const auto& view) { costs = costs_through(scene, view, progress); });
   return costs;
 }
-template SampledCosts sampled_costs(const SceneView<float>&, const Grid&);
-template SampledCosts sampled_costs(const SceneView<double>&, const Grid&);
+template SampledCosts sampled_costs(const SceneView<float>&, const Grid&, const ProgressMonitor*);
+template SampledCosts sampled_costs(const SceneView<double>&, const Grid&, const ProgressMonitor*);
 
 double expected_time(const SampledCosts& costs, GridKind kind, Processor processor) {
   const UnitCosts unit = unit_costs(kind, processor);

@@ -20,7 +20,8 @@ struct SampledCosts {
 
 // The grid is of the scene, of any kind, and its space no farther than a hierarchy's may be.
 template <class Stored>
-SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid);
+SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid,
+                           const ProgressMonitor* progress = nullptr);
 
 // About how long rays take through a structure of the kind: the geometric mean of the sets, in steps to a
 // cell of an irregular grid on that processor.

@@ -174,7 +174,8 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
 
 ContainerMemory
 make_container(const FileKind& kind, std::span<const SectionData> sections,
-               const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table) {
+               const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table,
+               const ProgressMonitor* progress) {
   const std::uint64_t end = for_each_placed(sections, [](const SectionData&, std::uint64_t) {});
   ContainerMemory memory{{}, PrivateMemory(end)};
   std::vector<SectionData> made; // in the body
@@ -182,6 +183,7 @@ make_container(const FileKind& kind, std::span<const SectionData> sections,
     std::uint8_t* const to = memory.body.bytes().data() + offset;
     constexpr std::uint64_t grain = std::uint64_t{1} << 14;
     tbb::parallel_for(tbb::blocked_range(std::uint64_t{0}, section.count, grain), [&](const auto& range) {
+      check_progress(progress);
       const std::uint64_t each = section.record_bytes, first = range.begin(), count = range.size();
       if (section.convert)
         section.convert(first, count, to + first * each);

@@ -12,6 +12,7 @@
 // hash of the hashes of its 4 MiB pieces, which are computed in parallel.
 #pragma once
 
+#include "libscene/base/progress_monitor.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/file/file_mapping.h"
 #include "libscene/file/input_file.h"
@@ -98,10 +99,11 @@ struct ContainerMemory {
   PrivateMemory head; // prelude and table, up to the body's offset
   PrivateMemory body;
 };
-// `table` makes the finished FlatBuffer that lists the sections.
+// `table` makes the finished FlatBuffer that lists the sections. What the progress throws ends it.
 ContainerMemory
 make_container(const FileKind& kind, std::span<const SectionData> sections,
-               const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table);
+               const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table,
+               const ProgressMonitor* progress = nullptr);
 
 // Throws Error(input, path, "<what>: make the file again").
 [[noreturn]] void throw_damaged(const std::string& path, const std::string& what);

@@ -153,9 +153,9 @@ auto with_sections(const Scene& scene, const Vec3d& origin, const std::string& p
 // With an origin and a store that are chosen where they aren't given.
 template <class Act>
 auto with_sections(const Scene& scene, Store store, const std::optional<Vec3d>& wanted,
-                   const std::string& path, const Act& act) {
+                   const std::string& path, const Act& act, const ProgressMonitor* progress = nullptr) {
   const Vec3d origin = origin_for(scene, wanted);
-  if (store == Store::automatic) store = resolved(store, float32_precision(scene, origin));
+  if (store == Store::automatic) store = resolved(store, float32_precision(scene, origin, progress));
   return store == Store::float32 ? with_sections<float>(scene, origin, path, act)
                                  : with_sections<double>(scene, origin, path, act);
 }
@@ -220,10 +220,12 @@ Hash write_scene(const Scene& scene, Store store, const std::string& path,
   });
 }
 
-SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<Vec3d>& wanted) {
-  return with_sections(scene, store, wanted, "scene", [&](const auto& sections, const auto& table_of) {
-    return SceneFile(ContainerFile(make_container(scene_file_kind, sections, table_of), "scene"));
-  });
+SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<Vec3d>& wanted,
+                          const ProgressMonitor* progress) {
+  const auto act = [&](const auto& sections, const auto& table_of) {
+    return SceneFile(ContainerFile(make_container(scene_file_kind, sections, table_of, progress), "scene"));
+  };
+  return with_sections(scene, store, wanted, "scene", act, progress);
 }
 
 namespace {

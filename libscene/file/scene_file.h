@@ -49,7 +49,8 @@ Hash write_scene(const Scene& scene, Store store, const std::string& path,
 class SceneFile;
 
 // The same in memory: a scene file that was never written. The place of its errors is "scene".
-SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<Vec3d>& origin = {});
+SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<Vec3d>& origin = {},
+                          const ProgressMonitor* progress = nullptr);
 
 // What a grid has to know of the scene that it is built from.
 struct SceneGeometry {
@@ -94,7 +95,7 @@ public:
   }
 
 private:
-  friend SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3d>&);
+  friend SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3d>&, const ProgressMonitor*);
   explicit SceneFile(ContainerFile container);
 
   Hash geometry_hash_;

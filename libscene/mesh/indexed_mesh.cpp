@@ -17,12 +17,13 @@ namespace {
 
 constexpr std::size_t none = ~std::size_t{0};
 
-void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene) {
+void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene, const ProgressMonitor* progress) {
   std::atomic<std::size_t> wrong = none;
   const auto material = static_cast<std::uint32_t>(scene.materials.size());
   scene.materials.push_back({mesh.color, 1, 0, 0, 0, 1});
   const std::span<SceneTriangle> triangles = scene.triangles.extend(mesh.triangles);
   tbb::parallel_for(std::size_t{0}, mesh.triangles, [&](std::size_t i) {
+    if (i % 4096 == 0) check_progress(progress);
     std::array<std::size_t, 3> corners{3 * i, 3 * i + 1, 3 * i + 2};
     if (mesh.indices != nullptr) std::copy_n(mesh.indices + 3 * i, 3, corners.begin());
     if (corners[0] >= mesh.vertices || corners[1] >= mesh.vertices || corners[2] >= mesh.vertices) {
@@ -78,7 +79,7 @@ std::size_t sum(const Objects& objects, const Count& count) {
 } // namespace
 
 Scene scene_of(std::span<const IndexedMesh> meshes, std::span<const SphereArray> spheres,
-               std::span<const ConeArray> cones) {
+               std::span<const ConeArray> cones, const ProgressMonitor* progress) {
   Scene scene{};
   const auto count = [](const auto& array) -> std::uint64_t { return array.count; };
   const std::uint64_t triangles =
@@ -88,7 +89,7 @@ Scene scene_of(std::span<const IndexedMesh> meshes, std::span<const SphereArray>
     throw Error(ErrorCode::usage, "geometry", "has more primitives than a scene may hold");
   scene.triangles.reserve(triangles);
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    add(meshes[i], static_cast<std::uint32_t>(i), scene);
+    add(meshes[i], static_cast<std::uint32_t>(i), scene, progress);
   place_points(scene.triangles);
   std::size_t object = meshes.size();
   for (const SphereArray& array : spheres)

@@ -1,6 +1,7 @@
 // Scenes from arrays: of vertices and indices, spheres, cones.
 #pragma once
 
+#include "libscene/base/progress_monitor.h"
 #include "libscene/scene.h"
 
 #include <functional>
@@ -32,6 +33,6 @@ using ConeArray = PrimitiveArray<Cone<double>>;
 // coordinate that isn't finite or beyond 1e100, a sphere or cone without a surface, and more primitives than
 // a scene may have.
 Scene scene_of(std::span<const IndexedMesh> meshes, std::span<const SphereArray> spheres = {},
-               std::span<const ConeArray> cones = {});
+               std::span<const ConeArray> cones = {}, const ProgressMonitor* progress = nullptr);
 
 } // namespace masu

@@ -41,7 +41,7 @@ std::string quoted(const Text& text, const char* position) {
   std::string result = "'";
   const char* p = position;
   for (; p != text.end() && kind_of(*p) == Character::other && result.size() <= max_size; ++p)
-    result += *p > ' ' && *p < 127 ? *p : '?';
+    result += *p;
   if (p != text.end() && kind_of(*p) == Character::other) result += "...";
   return result + "'";
 }

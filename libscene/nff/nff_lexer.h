@@ -24,7 +24,7 @@ std::string place_of(const Text& text, const char* position);
 // Throws Error(input, its place, message).
 [[noreturn]] void fail(const Text& text, const char* position, const std::string& message);
 
-// The token at `position`, quoted for a message: truncated, with '?' for control characters.
+// The token at `position`, quoted for a message: truncated.
 std::string quoted(const Text& text, const char* position);
 
 enum class Character : std::uint8_t { other, blank, comment };

@@ -1,4 +1,5 @@
 #include "renderer/cpu/on_cpu.h"
+#include "renderer/rays/list_progress.h"
 #ifdef MASU_HOST_AVX2
 #include "renderer/cpu/packet.h"
 #endif
@@ -16,13 +17,15 @@ constexpr std::size_t rays_a_task = 4096;
 template <Query query, class M, class Stored, class Grid, class C>
 std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]] const Grid& grid,
                          [[maybe_unused]] const RayList& rays, [[maybe_unused]] const RayResults& results,
-                         std::size_t first, [[maybe_unused]] std::size_t end) {
+                         [[maybe_unused]] ListProgress& progress, std::size_t first,
+                         [[maybe_unused]] std::size_t end) {
 #ifdef MASU_HOST_AVX2
   if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted &&
                 !is_any_structure<Grid>) {
     const auto found = [&](std::size_t i, const ListedHit& listed) __attribute__((always_inline)) {
       const Hit<float> hit = reported(listed);
       write_hit<query>(results, i, hit);
+      progress.done(i);
       if (query != Query::nearest_hit || (hit.primitive == no_primitive && !results.has_attributes())) return;
       if (!results.has_attributes() && !may_be_rounded<float>(rays.format)) return;
       const ListedRay<float> ray = listed_ray<float>(rays.rays, rays.format, i, scene.clip);
@@ -40,13 +43,15 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
 
 template <Query query, class M, class Stored, class Grid, class C>
 void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays, const RayResults& results,
-           QueryReport& report, const C&) {
+           const std::function<void(double)>& report_progress, QueryReport& report, const C&) {
   using Real = typename M::Real;
+  ListProgress progress(report_progress, rays.count, 256,
+                        std::is_same_v<Grid, NoGrid> ? scene.primitive_count() : 0);
   tbb::combinable<Counts> totals;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task), [&](const auto& range) {
     C counts;
-    for (std::size_t i =
-             trace_eights<query, M, Stored, Grid, C>(scene, grid, rays, results, range.begin(), range.end());
+    for (std::size_t i = trace_eights<query, M, Stored, Grid, C>(scene, grid, rays, results, progress,
+                                                                 range.begin(), range.end());
          i != range.end(); ++i) {
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       C ray_counts;
@@ -54,6 +59,7 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
       write_hit<query>(results, i, hit);
       write_costs(results.costs, i, ray_counts);
       add(counts, ray_counts);
+      progress.done(i);
       if (query != Query::nearest_hit) continue;
       if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
       add_skipped(ray.skipped, results, i, 1);
@@ -66,14 +72,17 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
 // Of hits in order: through any structure, of any kind.
 template <class TestRay, class Stored>
 void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayList& rays,
-               const RayResults& results, const HitRules& rules) {
+               const RayResults& results, const HitRules& rules,
+               const std::function<void(double)>& report_progress) {
   using Real = typename TestRay::Real;
+  ListProgress progress(report_progress, rays.count, 16, grid == nullptr ? scene.primitive_count() : 0);
   const AnyStructure<Real> structure = any_structure<Real>(grid);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task / 16), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       write_hits<Method<TestRay, with_all_kinds>>(scene, structure, ray.ray, rays.filters, rules, results, i);
       add_skipped(ray.skipped, results, i * rules.row(), rules.row());
+      progress.done(i);
     }
   });
 }
@@ -87,18 +96,19 @@ QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const R
     with_store_and_arithmetic(
         scene, request.tracing.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
           if constexpr (!std::is_same_v<TestRay, TextbookRay>)
-            report.seconds.trace =
-                seconds_of([&] { list_hits<TestRay>(view, grid, rays, results, hit_rules(request)); });
+            report.seconds.trace = seconds_of(
+                [&] { list_hits<TestRay>(view, grid, rays, results, hit_rules(request), request.progress); });
         });
     return report;
   }
-  with_everything(
-      scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
-        with_query(request.query, [&]<Query query>(QueryTag<query>) {
-          report.seconds.trace =
-              seconds_of([&] { trace<query, M>(view, accelerator, rays, results, report, counts); });
-        });
-      });
+  with_everything(scene, grid, request.tracing,
+                  [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
+                    with_query(request.query, [&]<Query query>(QueryTag<query>) {
+                      report.seconds.trace = seconds_of([&] {
+                        trace<query, M>(view, accelerator, rays, results, request.progress, report, counts);
+                      });
+                    });
+                  });
   return report;
 }
 

@@ -152,6 +152,7 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     HostRayBuffers::Piece& piece = borrowed->pieces[turn % pieces_in_flight];
     Work& work = works[turn % pieces_in_flight];
     const Work last = work;
+    if (request.progress) request.progress(share_of_pieces(next_piece, rays, request));
     const std::size_t first = std::min(next_piece.fetch_add(1) * piece_rays, rays.count);
     work = {first, std::min(piece_rays, rays.count - first)};
     last_turns += work.count == 0 ? 1 : 0;

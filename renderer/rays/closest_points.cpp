@@ -2,6 +2,7 @@
 
 #include "libgrid/trace/closest.h"
 #include "libscene/base/error.h"
+#include "renderer/rays/list_progress.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -45,17 +46,20 @@ void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const 
 } // namespace
 
 void closest_points(const SceneFile& scene, const GridFile* hierarchy, const PlaceList& places,
-                    const RayResults& results, double (*points)[3]) {
+                    const RayResults& results, double (*points)[3],
+                    const std::function<void(double)>& progress) {
   check_filters(places.filters, scene.counts().objects);
   if (const Boxd bounds = scene.bounds(); !is_empty(bounds) && largest_magnitude(bounds) > max_closest)
     throw Error(ErrorCode::usage, "scene", "has coordinates beyond 1e37, too large for distances");
   const Vec3d origin = places.is_relative ? Vec3d{0, 0, 0} : scene.origin();
+  ListProgress list_progress(progress, places.count, 16, hierarchy == nullptr ? scene.primitive_count() : 0);
   const auto search = [&](const auto& view, const auto& structure) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.count, 256), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         const HitFilter filter = places.filters.of(i);
         write(view, closest_primitive(view, structure, place_of(places, i) - origin, filter), origin, results,
               points, i);
+        list_progress.done(i);
       }
     });
   };

@@ -18,9 +18,11 @@ struct PlaceList {
 // are infinity, no_primitive, 0 and NaN. Of primitives that are as far the lowest index is taken. All is
 // computed in double, whatever the scene is stored in.
 //
-// `hierarchy`: of the scene; null: every primitive is tried. Throws Error(usage) for filters of another
-// scene, and for a scene with coordinates beyond max_closest (libgrid/trace/closest.h).
+// `hierarchy`: of the scene; null: every primitive is tried. `progress`: as RaysRequest has it. Throws
+// Error(usage) for filters of another scene, and for a scene with coordinates beyond max_closest
+// (libgrid/trace/closest.h).
 void closest_points(const SceneFile& scene, const GridFile* hierarchy, const PlaceList& places,
-                    const RayResults& results, double (*points)[3]);
+                    const RayResults& results, double (*points)[3],
+                    const std::function<void(double)>& progress = {});
 
 } // namespace masu

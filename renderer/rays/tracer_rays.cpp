@@ -112,14 +112,18 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
   std::atomic<std::size_t> next_piece = 0;
   std::mutex mutex;
   QueryReport all;
-  on_threads(device_count(), [&](std::size_t index) {
+  const auto trace_pieces = [&](std::size_t index) {
     const QueryReport report =
         trace_rays_cuda(*files_[index], scene_, grid_, to_local(rays), results, resolved_request, next_piece);
     const std::lock_guard lock(mutex);
     all.counts += report.counts;
     all.seconds += report.seconds;
     all.kernel = report.kernel;
-  });
+  };
+  const auto meanwhile = [&] {
+    if (request.progress) request.progress(share_of_pieces(next_piece, rays, request));
+  };
+  on_threads(device_count(), trace_pieces, meanwhile);
   return all;
 }
 

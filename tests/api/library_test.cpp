@@ -492,6 +492,20 @@ TEST_F(Library, StructuresOfOtherSizesWorkOrAreErrors) {
   EXPECT_EQ(masu_scene_describe(scene(), &description.known), MASU_ERROR_USAGE);
 }
 
+// Whatever it repeats.
+TEST_F(Library, AnErrorIsALine) {
+  prepare(random_mesh(engine_, 5));
+  auto options = masu::default_build_options();
+  options.division = "8\n\x1b[2J\xff";
+  masu_grid* grid = nullptr;
+  EXPECT_EQ(masu_grid_build(scene(), &options, &grid), MASU_ERROR_USAGE);
+  EXPECT_EQ(std::string(masu_error()).rfind("division: '8\\x0a\\x1b[2J\\xff' isn't a division: ", 0), 0U)
+      << masu_error();
+  masu_scene* none = nullptr;
+  EXPECT_EQ(masu_scene_read("/none/a\rb", &none), MASU_ERROR_INPUT);
+  EXPECT_EQ(std::string(masu_error()).rfind("/none/a\\x0db: ", 0), 0U) << masu_error();
+}
+
 TEST_F(Library, ThreadsMayBeLimited) {
   prepare(random_mesh(engine_, 200));
   const std::vector<masu_ray> rays = random_rays(engine_, 3000);

@@ -369,7 +369,7 @@ TEST_F(Inputs, AreNeverOutputs) {
   for (const std::string& input : {scene_, grid_}) {
     for (const char* const ending : {".png", ".pfm"})
       expect_spared(input, "gridrender", {scene_, grid_}, "-o", ending);
-    expect_spared(input, "gridrender", {scene_, grid_, "--brute-force"}, "--hits");
+    expect_spared(input, "gridrender", {scene_, grid_}, "--hits");
   }
   for (const char* const ending : {".png", ".svg", ".json"}) {
     expect_spared(grid_, "gridstat", {grid_, "--slice", "z=0"}, "-o", ending);
@@ -469,6 +469,24 @@ TEST_F(ToolErrors, ControlCharactersOfNamesAreEscaped) {
   const ToolResult warned = run("nff2bin", {crossing, "-o", file("a.scene")});
   EXPECT_EQ(warned.code, 0);
   EXPECT_TRUE(warned.err.starts_with("nff2bin: " + file(shown) + ": warning: ")) << warned.err;
+}
+
+TEST_F(ToolErrors, ControlCharactersOfTextsAreEscaped) {
+  const std::string in = nff("a.nff", std::string("v\nfrom 1\x1b[2J\x00\xff", 16) + " 0 0\n");
+  EXPECT_TRUE(fails(2, "nff2bin", {in, "-o", file("new")}, in + ":2:6", "'1\\x1b[2J\\x00\\xff'"));
+  write_text(file("a.csv"), std::string("ox,oy,oz,dx,dy,dz\n0,0,0,0,\x1b[2J\x00,1\n", 35));
+  const std::string made = scene("a.scene", nff("small.nff", small_nff));
+  EXPECT_TRUE(fails(2, "gridtrace", {made, "--brute-force", file("a.csv"), "-o", file("new")},
+                    file("a.csv") + ":2:9", "'\\x1b[2J\\x00'"));
+}
+
+// Results may have been found on a CPU for want of a GPU: that is said with them, and not before an error.
+TEST_F(ToolErrors, AreLinesAlone) {
+  const std::string none = file("none.scene"), grid = file("none.grid");
+  EXPECT_TRUE(fails(2, "gridview", {none, grid}, none));
+  EXPECT_TRUE(fails(2, "gridbench", {"crossings", none, grid}, none));
+  EXPECT_TRUE(fails(2, "gridbench", {"rays", none, grid}, none));
+  EXPECT_TRUE(fails(2, "gridbench", {"scale", none, grid}, none));
 }
 
 // Not even by a zero byte.

@@ -379,12 +379,14 @@ TEST_F(Tools, AllHitsAreListedCountedAndFiltered) {
   };
   using Rows = std::vector<std::vector<float>>;
   const float miss = std::numeric_limits<float>::infinity();
-  const Rows listed = csv({"--all-hits", "3", "--write", "count,t,object,front"},
-                          "count,t1,t2,t3,object1,object2,object3,front1,front2,front3");
-  EXPECT_EQ(listed, (Rows{{3, 4, 5, 5, 1, 0, 1, 1, 1, 0},
-                          {1, 5, miss, miss, 0, -1, -1, 1, 0, 0},
-                          {1, 0.5F, miss, miss, 1, -1, -1, 0, 0, 0},
-                          {0, miss, miss, miss, -1, -1, -1, 0, 0, 0}}));
+  // A line for each hit.
+  for (const std::string most : {"3", "65536"})
+    EXPECT_EQ(csv({"--all-hits", most}, "ray,hit,t,object,front"),
+              (Rows{{0, 0, 4, 1, 1}, {0, 1, 5, 0, 1}, {0, 2, 5, 1, 0}, {1, 0, 5, 0, 1}, {2, 0, 0.5F, 1, 0}}));
+  EXPECT_EQ(csv({"--all-hits", "2", "--write", "front,t64"}, "ray,hit,front,t64"),
+            (Rows{{0, 0, 1, 4}, {0, 1, 1, 5}, {1, 0, 1, 5}, {2, 0, 0, 0.5F}}));
+  EXPECT_EQ(csv({"--all-hits", "2", "--write", "normal", "--objects", "0"}, "ray,hit,nx,ny,nz"),
+            (Rows{{0, 0, 0, 0, 1}, {1, 0, 0, 0, 1}}));
   EXPECT_EQ(csv({"--count-hits", "--write", "count,inside"}, "count,inside"),
             (Rows{{3, 2}, {1, 2}, {1, 1}, {0, 0}})); // the floor isn't closed
   EXPECT_EQ(csv({"--faces", "back", "--write", "t64,object"}, "t64,object"),

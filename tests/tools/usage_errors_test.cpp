@@ -37,6 +37,11 @@ gridbuild ~/a.scene
 gridbuild ~/a.scene -o ~/new --division [0|x|cleary:1e30|99999999999999999999|65535] > --division
 gridbuild ~/a.scene -o ~/new [--space|--overlap|--merge|--threads] what
 gridbuild ~/a.scene -o ~/new --merge x --quality fast                    > --quality
+gridbuild ~/a.scene -o ~/new --structure bvh [--division 8|--overlap box] > @option: of grids
+gridbuild ~/a.scene -o ~/new --merge irregular --target 4                > --target: balance
+gridbuild ~/a.scene -o ~/new --merge x [--nested 2|--step-cost 1|--detail 1|--alpha 0.5|--expand 0] > @option: irregular
+gridbuild ~/a.scene -o ~/new --division 8 [--nested 2|--target 4]        > @option
+nff2bin ~/a.scene --info [--store float64|--origin none]                 > @option: scene file already
 )"};
 
 // Of a picture of 16 x 12 pixels.
@@ -79,6 +84,12 @@ gridrender ~/a.scene ~/a.grid --channels depth --stats ~/new             > --cha
 gridrender ~/a.scene ~/a.grid -o - --channels depth                      > --channels: file name
 gridrender ~/a.scene ~/a.grid -o ~/new.png [--all-rays|--no-picture|--json] > @
 gridrender ~/a.scene ~/a.grid -o ~/new.png --channel-high 1000           > --channel-high
+gridrender ~/a.scene ~/a.grid -o ~/new.png --channels depth --channel-high 9 > --channel-high: cells and tests
+gridrender ~/a.scene ~/a.grid -o ~/new.png [--channel-format npy|--hit-name face] > @option
+gridrender ~/a.scene ~/a.grid --hits ~/new [--srgb|--format png]         > @option
+gridrender ~/a.scene ~/a.grid -o ~/new.pfm --srgb                        > --srgb: PNG or JPEG
+gridrender ~/a.scene ~/a.grid -o ~/new.png --brute-force                 > GRID: isn't used
+gridrender ~/a.scene -o ~/new.png --brute-force --first-cell-hit         > --first-cell-hit: needs a grid
 gridrender ~/a.scene ~/a.grid -o ~/new.png --hits ~/new.depth.pfm --channels depth > ~/new.depth.pfm: twice
 gridrender ~/a.scene ~/a.grid --backend cpu --resume --stats ~/new       > --resume
 gridrender ~/a.scene ~/a.grid --backend cpu --resume -o -                > -
@@ -96,6 +107,15 @@ gridtrace ~/a.scene ~/a.grid ~/new -o ~/new -o ~/new2
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --write [T|t,|,t|t,t|t;object|occluded] > --write
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --any-hit --write t          > --write
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --ray-numbers 7
+gridtrace ~/a.scene ~/a.grid ~/new[.npy|.csv] -o ~/new --ray-numbers 8   > --ray-numbers: numbers alone
+gridtrace ~/a.scene ~/a.grid ~/new[.npy|.csv] -o ~/new --ray-store float64 > --ray-store: numbers alone
+gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --hit-name face [--write t|--any-hit|--count-hits] > --hit-name
+gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --brute-force                > GRID: isn't used
+gridtrace ~/a.scene ~/a.grid --ray 0,0,5,0,0,-1 --brute-force            > GRID: isn't used
+gridtrace ~/a.scene ~/new -o ~/new --brute-force --first-cell-hit        > --first-cell-hit: needs a grid
+gridtrace ~/a.scene ~/a.grid ~/new -o ~/new.csv --all-hits 2 --write count,t > --write: count
+gridtrace ~/a.scene ~/a.grid --pixel 1,1 [--depth 3|--spd-rules]         > @option: --all-rays
+gridtrace ~/a.scene ~/a.grid --pixel 1,1 [--backend cuda|--devices 0|--devices all] > @option: on the CPU
 gridtrace ~/a.scene ~/a.grid - -o ~/new --objects=[2|0-2|1-0|a|0,|-1] > --objects
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new.f64                          > -o
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new [--json|--depth 3]           > @option

@@ -226,7 +226,7 @@ void bench_scale(const Settings& settings, Output& output) {
   int argc = 0;
   char** argv = nullptr;
   Ranks ranks(&argc, &argv);
-  const std::vector<int> gpus = settings.devices.gpus("gridbench", ranks, false);
+  const std::vector<int> gpus = settings.devices.gpus(ranks);
   const bool cuda = !gpus.empty();
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
@@ -235,6 +235,7 @@ void bench_scale(const Settings& settings, Output& output) {
   std::optional<HostList> list;
   if (settings.rays > 0) list.emplace(scene, settings.rays, settings.seed, cuda);
   output.device = devices_name(gpus);
+  if (settings.devices.devices.empty()) output.why_no_gpu = why_no_gpu(settings.devices.backend);
   output.print(
       "{} views of {}, one of {}x{}, {} random rays;\nmedian of {} on {}\n\n{:<10} {:<7} {:>7} {:>9} {:>9} "
       "{:>8} {:>8}  {}\n",

@@ -268,7 +268,8 @@ void bench_tradeoff(const Settings& settings, Output& output) {
   }
   if (settings.scenes.empty())
     throw Error(ErrorCode::usage, "SCENE", "is missing: give one or more scene files");
-  const TradeoffSetup setup = setup_of(settings, use_cuda(settings.backend, "gridbench"));
+  const TradeoffSetup setup = setup_of(settings, use_cuda(settings.backend));
+  output.why_no_gpu = why_no_gpu(settings.backend);
   std::map<std::string, std::string> hashes;
   for (const std::string& scene : settings.scenes) { // errors first, before the measurements
     const SceneFile file(scene);

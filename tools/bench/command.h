@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tools/common/backend.h"
+#include "tools/common/print.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 
@@ -19,10 +20,12 @@ struct Output {
   bool as_json = false;
   nlohmann::ordered_json json = nlohmann::ordered_json::array(); // rows, or one object
   std::string device{};                                          // that was measured
+  std::string why_no_gpu{};                                      // backend.h
 
   // Whether CUDA is what is measured, as use_cuda() says.
   bool on_cuda(Backend backend) {
-    const bool cuda = use_cuda(backend, "gridbench");
+    const bool cuda = use_cuda(backend);
+    why_no_gpu = masu::why_no_gpu(backend);
     device = device_name(cuda);
     return cuda;
   }
@@ -58,6 +61,7 @@ void add_command(const CommandLine& gridbench, const char* name, const char* des
     const auto limit = given->threads.limit();
     run(given->settings, given->output);
     given->output.print_json();
+    if (const std::string& why = given->output.why_no_gpu; !why.empty()) print_note("gridbench: {}\n", why);
   });
 }
 

@@ -31,14 +31,18 @@ void add_first_cell_hit(const CommandLine& command, StopRule& stop) {
       "2012 thesis, which misses closer hits; for comparison");
 }
 
-bool use_cuda(Backend backend, const char* tool, bool quiet) {
+bool use_cuda(Backend backend) {
   std::string why;
   const bool available = backend != Backend::cpu && cuda_available(why);
   if (backend == Backend::cuda && !available)
     throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu");
-  if (backend == Backend::automatic && !available && built_with_cuda() && !quiet)
-    print_note("{}: no usable GPU ({}): tracing on the CPU\n", tool, why);
   return available;
+}
+
+std::string why_no_gpu(Backend backend) {
+  std::string why;
+  if (backend != Backend::automatic || !built_with_cuda() || cuda_available(why)) return "";
+  return "no usable GPU: " + why;
 }
 
 std::string device_name(bool cuda) {

@@ -19,9 +19,11 @@ void add_precision(const CommandLine& command, Precision& precision);
 
 void add_first_cell_hit(const CommandLine& command, StopRule& stop);
 
-// Whether to trace by CUDA. Says so in a line where a program with CUDA finds no usable GPU. Throws
-// Error(device) where `cuda` is given and there is none.
-bool use_cuda(Backend backend, const char* tool, bool quiet = false);
+// Whether to trace by CUDA. Throws Error(device) where `cuda` is given and there is no usable GPU.
+bool use_cuda(Backend backend);
+// Why a program with CUDA that chose for itself traces on the CPU, "no usable GPU: …"; else empty. To be
+// printed with results: an error is a line alone.
+std::string why_no_gpu(Backend backend);
 
 // The GPU's name, or the CPU's and the number of threads.
 std::string device_name(bool cuda);

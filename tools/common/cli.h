@@ -36,7 +36,7 @@ struct Printing {
 // A tool's main. Returns the exit code of libscene/base/error.h; 0 for --help.
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
              const Printing& prints = {});
-// The same by add_options(command, settings), and then run(settings).
+// The same by add_options(command, settings), and then run(settings), or run(settings, command).
 template <class Settings, class Run>
 int run_tool(const char* name, const char* description, int argc, char** argv,
              void (*add_options)(const CommandLine&, Settings&), const Run& run) {
@@ -44,7 +44,10 @@ int run_tool(const char* name, const char* description, int argc, char** argv,
     Settings settings;
     add_options(command, settings);
     parse();
-    run(settings);
+    if constexpr (std::is_invocable_v<Run, Settings&, const CommandLine&>)
+      run(settings, command);
+    else
+      run(settings);
   });
 }
 

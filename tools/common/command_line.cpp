@@ -336,6 +336,10 @@ std::vector<Option> CommandLine::options() const {
     all.emplace_back(option);
   return all;
 }
+void CommandLine::refuse(std::initializer_list<Useless> options) const {
+  for (const auto& [name, is_useless, why] : options)
+    if (is_useless && app_->count(name) > 0) throw Error(ErrorCode::usage, name, why);
+}
 CommandLine CommandLine::add_subcommand(const std::string& name, const std::string& description) const {
   app_->require_subcommand(1);
   return CommandLine(app_->add_subcommand(name, description));

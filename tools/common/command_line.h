@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <string>
@@ -95,6 +96,15 @@ public:
   void group_needs(const std::string& heading, Option needed) const;
   void footer(const std::string& text) const;
   std::vector<Option> options() const;
+
+  // An option that has no effect beside the others.
+  struct Useless {
+    const char* name;
+    bool is_useless;
+    const char* why;
+  };
+  // Throws Error(usage, name, why) where one was given.
+  void refuse(std::initializer_list<Useless> options) const;
 
   // run() is called where the subcommand is given. One of them is, where a command line has any.
   CommandLine add_subcommand(const std::string& name, const std::string& description) const;

@@ -4,67 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdint>
 
 namespace masu {
-namespace {
-
-struct Character {
-  std::uint32_t code = 0;
-  std::size_t bytes = 0; // 0: not valid UTF-8
-};
-
-// The first character of a text that isn't empty.
-Character first_of(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char head = byte(0);
-  if (head < 0x80) return {head, 1};
-  const std::size_t bytes = head >= 0xf0 ? 4 : head >= 0xe0 ? 3 : 2;
-  if (head < 0xc2 || head > 0xf4 || text.size() < bytes) return {};
-  std::uint32_t code = head & (0x7fU >> bytes);
-  for (std::size_t i = 1; i < bytes; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return {};
-    code = code << 6 | (byte(i) & 0x3f);
-  }
-  constexpr std::uint32_t least[]{0, 0, 0x80, 0x800, 0x10000};
-  if (code < least[bytes] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return {};
-  return {code, bytes};
-}
-
-bool is_control(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
-         (code >= 0x2066 && code <= 0x2069);
-}
-
-// U+FFFE, U+FFFF and their like, which XML and Cairo refuse.
-bool is_noncharacter(std::uint32_t code) {
-  return (code & 0xfffe) == 0xfffe || (code >= 0xfdd0 && code < 0xfdf0);
-}
-
-} // namespace
-
-std::string printable(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const Character next = first_of(text);
-    const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
-    if (next.bytes > 0 && !is_control(next.code) && !is_noncharacter(next.code)) {
-      result += text.substr(0, bytes);
-    } else {
-      for (const char c : text.substr(0, bytes))
-        result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    }
-    text.remove_prefix(bytes);
-  }
-  return result;
-}
 
 std::string json_text(const nlohmann::ordered_json& value, int indent) {
   const std::string text = value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   std::string_view json = text;
   std::string result;
   while (!json.empty()) {
-    const Character next = first_of(json);
+    const TextCharacter next = first_of(json);
     const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
     // Below 0x20 it is white space between values: in strings it is escaped already.
     if (next.bytes > 0 && next.code >= 0x20 && is_control(next.code))

@@ -40,8 +40,8 @@ void DeviceChoice::add_to(const CommandLine& command) {
       .type_name("LIST");
 }
 
-std::vector<int> DeviceChoice::gpus(const char* tool, Ranks& ranks, bool quiet) const {
-  std::vector<int> all = gpus_of_machine(tool, ranks, quiet);
+std::vector<int> DeviceChoice::gpus(Ranks& ranks) const {
+  std::vector<int> all = gpus_of_machine(ranks);
   if (all.empty() || ranks.count() == 1) return all;
   const auto rank = static_cast<std::size_t>(ranks.local_rank()),
              count = static_cast<std::size_t>(ranks.local_count());
@@ -52,9 +52,9 @@ std::vector<int> DeviceChoice::gpus(const char* tool, Ranks& ranks, bool quiet) 
   return mine;
 }
 
-std::vector<int> DeviceChoice::gpus_of_machine(const char* tool, Ranks& ranks, bool quiet) const {
+std::vector<int> DeviceChoice::gpus_of_machine(Ranks& ranks) const {
   if (devices.empty()) {
-    std::uint64_t with_gpu[] = {use_cuda(backend, tool, quiet) ? 1U : 0U};
+    std::uint64_t with_gpu[] = {use_cuda(backend) ? 1U : 0U};
     if (ranks.count() == 1) return with_gpu[0] != 0 ? std::vector<int>{0} : std::vector<int>{};
     ranks.sum(with_gpu);
     return with_gpu[0] == static_cast<std::uint64_t>(ranks.count()) ? numbers_below(cuda_device_count())
@@ -65,7 +65,7 @@ std::vector<int> DeviceChoice::gpus_of_machine(const char* tool, Ranks& ranks, b
   if (backend != Backend::automatic && on_cpu != (backend == Backend::cpu))
     throw Error(ErrorCode::usage, devices_option, "contradicts --backend: leave one of them out");
   if (on_cpu) return {};
-  static_cast<void>(use_cuda(Backend::cuda, tool, quiet));
+  static_cast<void>(use_cuda(Backend::cuda));
   const int count = cuda_device_count();
   for (const int gpu : named) {
     if (gpu >= count)

@@ -15,16 +15,15 @@ struct DeviceChoice {
   std::string devices; // all, cpu, or numbers of GPUs
 
   void add_to(const CommandLine& command);
-  // The GPUs to trace on, or none for the CPU. Says so where a program with CUDA finds no usable GPU. Throws
-  // Error(usage) for what isn't a list of GPUs and for options that contradict each other, Error(device) for
+  // The GPUs to trace on, or none for the CPU. Throws Error(usage) for what isn't a list of GPUs and for options that contradict each other, Error(device) for
   // GPUs that are named and aren't there.
   //
   // Collective. Ranks of one machine share its GPUs out: by default all of them. Where they are chosen
   // automatically, all ranks trace on GPUs, or all on CPUs.
-  std::vector<int> gpus(const char* tool, Ranks& ranks, bool quiet) const;
+  std::vector<int> gpus(Ranks& ranks) const;
 
 private:
-  std::vector<int> gpus_of_machine(const char* tool, Ranks& ranks, bool quiet) const;
+  std::vector<int> gpus_of_machine(Ranks& ranks) const;
 };
 
 // The CPU's name and number of threads, or the first GPU's name and how many they are.

@@ -70,6 +70,10 @@ void TracingOptions::check(const char* tool) const {
   check_scene_input(scene);
   if (grid.empty() && !brute_force)
     throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file, or give --brute-force");
+  if (!grid.empty() && brute_force)
+    throw Error(ErrorCode::usage, "GRID", "isn't used by --brute-force: leave one of them out");
+  if (rules.stop == StopRule::first_cell && brute_force)
+    throw Error(ErrorCode::usage, "--first-cell-hit", "needs a grid: leave out --brute-force");
 }
 
 ThreadLimit TracingOptions::limit_threads(const Ranks& ranks) const {
@@ -132,10 +136,8 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
   if (options.has_report())
     write_text_file(options.stats.empty() ? options.times : options.stats, json_text(json) + "\n");
   if (quiet) return;
-  std::string why;
   const DeviceChoice& wanted = options.devices;
-  const bool lacks_gpu = built_with_cuda() && opened.gpus().empty() && wanted.backend == Backend::automatic &&
-                         wanted.devices.empty() && !cuda_available(why);
+  const std::string why = wanted.devices.empty() ? why_no_gpu(wanted.backend) : "";
   const double seconds = report.overlaps_writing ? report.elapsed_seconds : report.seconds.trace;
   const char* const besides = !report.overlaps_writing ? ""
                               : report.views == 0      ? " with reading and writing"
@@ -144,7 +146,7 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
   print_note("{}: {}{} rays in {:.3g} s{} ({:.3g} M/s) on {}{}{}\n", tool,
              report.views > 1 ? fmt::format("{} views, ", grouped(report.views)) : "", grouped(rays), seconds,
              besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device,
-             lacks_gpu ? fmt::format(" (no usable GPU: {})", why) : "", precision_text(report));
+             why.empty() ? "" : fmt::format(" ({})", why), precision_text(report));
 }
 
 int run_ranks_tool(const char* name, const char* description, int argc, char** argv,

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <span>
 
 namespace masu {
 namespace {
@@ -36,12 +37,10 @@ struct FieldFormat {
     if (numbers > 1) shape += fmt::format("{},", numbers);
     return shape.empty() ? fmt::format("'{}'", type) : fmt::format("'{}', ({})", type, shape);
   }
-  std::string csv_columns(std::uint32_t row) const {
+  std::string csv_columns() const {
     std::string names;
-    for (std::size_t hit = 1; hit <= hits(row); ++hit)
-      for (std::size_t i = 0; i < numbers; ++i)
-        names +=
-            row == 0 || is_of_ray ? fmt::format("{},", columns[i]) : fmt::format("{}{},", columns[i], hit);
+    for (std::size_t i = 0; i < numbers; ++i)
+      names += fmt::format("{},", columns[i]);
     return names;
   }
 };
@@ -70,21 +69,26 @@ void append_number(std::vector<std::uint8_t>& text, const std::uint8_t* bytes) {
   fmt::format_to(std::back_inserter(text), "{},", number); // the shortest that reads back the same
 }
 
+// Of a hit, or of a ray.
+void append_field(std::vector<std::uint8_t>& text, const FieldFormat& format, const std::uint8_t* bytes) {
+  for (std::size_t n = format.numbers; n > 0; --n, bytes += format.number_bytes()) {
+    if (format.kind() == 'f' && format.number_bytes() == sizeof(double))
+      append_number<double>(text, bytes);
+    else if (format.kind() == 'f')
+      append_number<float>(text, bytes);
+    else if (format.kind() == 'i')
+      append_number<std::int32_t>(text, bytes);
+    else
+      append_number<std::uint8_t>(text, bytes);
+  }
+}
+
 // A line; the last comma becomes its end.
-void append_line(std::vector<std::uint8_t>& text, const std::vector<HitField>& fields, std::uint32_t row,
+void append_line(std::vector<std::uint8_t>& text, const std::vector<HitField>& fields,
                  const std::uint8_t* record) {
   for (const HitField field : fields) {
-    const FieldFormat& format = format_of(field);
-    for (std::size_t n = format.all_numbers(row); n > 0; --n, record += format.number_bytes()) {
-      if (format.kind() == 'f' && format.number_bytes() == sizeof(double))
-        append_number<double>(text, record);
-      else if (format.kind() == 'f')
-        append_number<float>(text, record);
-      else if (format.kind() == 'i')
-        append_number<std::int32_t>(text, record);
-      else
-        append_number<std::uint8_t>(text, record);
-    }
+    append_field(text, format_of(field), record);
+    record += bytes_of(field, 0);
   }
   text.back() = '\n';
 }
@@ -123,6 +127,10 @@ HitFormat::HitFormat(const std::string& path, std::vector<HitField> fields, std:
             : path.ends_with(".csv") ? Form::text
                                      : Form::records),
       fields_(std::move(fields)), row_(row) {
+  if (has_lines_of_hits()) {
+    fields_.insert(fields_.begin(), HitField::count);
+    longest_line_ = std::size_t{row} * 32; // of ray and hit
+  }
   for (const HitField field : fields_) {
     const FieldFormat& format = format_of(field);
     record_bytes_ += bytes_of(field, row);
@@ -134,9 +142,12 @@ HitFormat::HitFormat(const std::string& path, std::vector<HitField> fields, std:
 std::string HitFormat::head(std::uint64_t records) const {
   std::string text;
   if (form_ == Form::records) return text;
-  for (const HitField field : fields_)
-    text += is_text() ? format_of(field).csv_columns(row_)
+  if (has_lines_of_hits()) text = "ray,hit,";
+  for (const HitField field : fields_) {
+    if (has_lines_of_hits() && field == HitField::count) continue;
+    text += is_text() ? format_of(field).csv_columns()
                       : fmt::format("('{}', {}), ", format_of(field).name, format_of(field).numpy_type(row_));
+  }
   // Blanks stand where a larger number would have digits.
   if (!is_text()) return npy_header("[" + text + "]", fmt::format("{:<20},", records));
   text.back() = '\n';
@@ -164,10 +175,26 @@ PartedForm HitFormat::parts(std::uint64_t count, std::function<std::uint64_t(std
           head_bytes + records * record_bytes_};
 }
 
-std::vector<std::uint8_t> HitFormat::part(std::vector<std::uint8_t> records, bool is_first,
+// A line for each hit of a ray.
+void HitFormat::append_hits(std::vector<std::uint8_t>& text, std::uint64_t ray,
+                            const std::uint8_t* record) const {
+  std::uint32_t count = 0;
+  std::memcpy(&count, record, sizeof count);
+  for (std::uint32_t hit = 0; hit < count; ++hit) {
+    fmt::format_to(std::back_inserter(text), "{},{},", ray, hit);
+    const std::uint8_t* numbers = record + sizeof count;
+    for (const HitField field : std::span(fields_).subspan(1)) {
+      append_field(text, format_of(field), numbers + hit * bytes_of(field, 0));
+      numbers += bytes_of(field, row_);
+    }
+    text.back() = '\n';
+  }
+}
+
+std::vector<std::uint8_t> HitFormat::part(std::vector<std::uint8_t> records, std::uint64_t first,
                                           std::uint64_t all) const {
   if (!is_text()) {
-    const std::string begin = is_first ? head(all) : std::string();
+    const std::string begin = first == 0 ? head(all) : std::string();
     records.insert(records.begin(), begin.begin(), begin.end());
     return records;
   }
@@ -175,8 +202,10 @@ std::vector<std::uint8_t> HitFormat::part(std::vector<std::uint8_t> records, boo
   std::vector<std::vector<std::uint8_t>> texts((count + records_per_task - 1) / records_per_task);
   tbb::parallel_for(std::size_t{0}, texts.size(), [&](std::size_t task) {
     const std::size_t end = std::min(count, (task + 1) * records_per_task);
-    for (std::size_t i = task * records_per_task; i < end; ++i)
-      append_line(texts[task], fields_, row_, records.data() + i * record_bytes_);
+    for (std::size_t i = task * records_per_task; i < end; ++i) {
+      const std::uint8_t* const record = records.data() + i * record_bytes_;
+      row_ > 0 ? append_hits(texts[task], first + i, record) : append_line(texts[task], fields_, record);
+    }
   });
   std::vector<std::uint8_t> all_texts;
   for (const auto& text : texts)

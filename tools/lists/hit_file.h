@@ -1,5 +1,6 @@
 // Files of hits, a record for each ray. The end of the name says how they are written: .npy, a NumPy array;
-// .csv, a line of text for each after a line of the columns' names; else the records alone.
+// .csv, a line of text for each after a line of the columns' names, or for rays with rows of hits a line for
+// each hit; else the records alone.
 #pragma once
 
 #include "renderer/render_pixel.h"
@@ -33,6 +34,8 @@ public:
   HitFormat(const std::string& path, std::vector<HitField> fields, std::uint32_t row);
 
   bool is_text() const { return form_ == Form::text; }
+  // Of a record: those that were given; where text has a line for each hit, first count, which isn't written.
+  const std::vector<HitField>& fields() const { return fields_; }
   std::size_t record_bytes() const { return record_bytes_; }
   // What the file begins with, as long for any number of records.
   std::string head(std::uint64_t records) const;
@@ -41,12 +44,16 @@ public:
   // of parts that of all records.
   PartedForm parts(std::uint64_t count, std::function<std::uint64_t(std::uint64_t part)> first,
                    std::uint64_t records) const;
-  // A part's bytes: its records as they are in the file, of `all` records. The first part has the head, but
-  // for text.
-  std::vector<std::uint8_t> part(std::vector<std::uint8_t> records, bool is_first, std::uint64_t all) const;
+  // A part's bytes: its records as they are in the file, of `all` records; `first` is the index of the first.
+  // The first part has the head, but for text.
+  std::vector<std::uint8_t> part(std::vector<std::uint8_t> records, std::uint64_t first,
+                                 std::uint64_t all) const;
 
 private:
   enum class Form { records, npy, text };
+
+  bool has_lines_of_hits() const { return is_text() && row_ > 0; }
+  void append_hits(std::vector<std::uint8_t>& text, std::uint64_t ray, const std::uint8_t* record) const;
 
   Form form_;
   std::vector<HitField> fields_;

@@ -41,10 +41,7 @@ std::string_view field_at(const char* position, const char* end) {
 
 std::string quoted(std::string_view field) {
   constexpr std::size_t longest = 24;
-  std::string text(field.substr(0, longest));
-  std::ranges::replace_if(
-      text, [](char c) { return c >= 0 && c < ' '; }, '?'); // a zero would end the message
-  return fmt::format("'{}{}'", text, field.size() > longest ? "..." : "");
+  return fmt::format("'{}{}'", field.substr(0, longest), field.size() > longest ? "..." : "");
 }
 
 } // namespace

@@ -204,7 +204,7 @@ public:
     std::shared_ptr<Chunk> chunk = chunks_.next();
     if (!chunk) return {};
     RayList rays(chunk->rays.data(), chunk->count, file_.format());
-    const RayResults results = chunk->make_room(job_.fields, row_of(job_));
+    const RayResults results = chunk->make_room(format_.fields(), row_of(job_));
     if (excluded_) {
       chunk->excluded = excluded_->of_rays(chunk->task * rays_per_chunk(job_), chunk->count);
       rays.filters.excluded = chunk->excluded.data();
@@ -268,7 +268,7 @@ private:
   // As a part of the hits' file.
   std::vector<FileRange> write_records(std::uint64_t part, std::vector<std::uint8_t> records) {
     const std::uint64_t all = sharing_.in_parts() ? file_.all_rays() : file_.count().value_or(0);
-    std::vector<std::uint8_t> bytes = format_.part(std::move(records), part == 0, all);
+    std::vector<std::uint8_t> bytes = format_.part(std::move(records), part * rays_per_chunk(job_), all);
     if (!hits_)
       return {write_part(job_.hits, form_of(format_, rays_per_chunk(job_), all), part, std::move(bytes))};
     hits_->write(part, std::move(bytes));

@@ -82,7 +82,7 @@ std::vector<ViewFile> files_of(const ViewsRequest& request, const Layout& layout
                          bands.count(), [&bands](std::uint64_t band) { return bands.first_hit(band); },
                          bands.hit_count()),
                      [&bands, format](std::size_t band, const Frame& frame) {
-                       return format.part(bands.hits(band, frame), band == 0, bands.hit_count());
+                       return format.part(bands.hits(band, frame), bands.first_hit(band), bands.hit_count());
                      }});
   }
   if (!picture.empty()) {

@@ -7,11 +7,14 @@ import enum
 import operator
 import os
 import pathlib
+import queue
 import re
-import threading
+import sys
+import types
 import weakref
-from ctypes import (POINTER, byref, c_char_p, c_double, c_float, c_int, c_size_t, c_uint32, c_uint64, c_void_p)
-from typing import Any, Callable, Iterator, List, Optional, Tuple, TypeVar, Union
+from ctypes import (CFUNCTYPE, POINTER, byref, c_char_p, c_double, c_float, c_int, c_size_t, c_uint32, c_uint64, c_void_p,
+                    py_object)
+from typing import Any, Callable, Generator, List, Optional, Tuple, TypeVar, Union
 
 Owned = TypeVar("Owned", bound="Resource")
 
@@ -27,6 +30,7 @@ class Status(enum.IntEnum):
     OUTPUT = 3  # a file that can't be written
     DEVICE = 4  # the GPU or its driver
     MEMORY = 5  # there isn't enough memory in the host
+    INTERRUPTED = 6
 
 
 class Error(Exception):
@@ -61,11 +65,15 @@ class PrimitiveRecord(ctypes.Structure):
                 ("transmittance", c_float), ("refraction_index", c_float)]
 
 
+GoOn = CFUNCTYPE(c_int, py_object, c_double)
+_GO_ON: List[Any] = [("go_on", GoOn), ("user", c_void_p)]  # the last fields of options: see call()
+
+
 class QueryRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("format", c_int), ("precision", c_int), ("coherent", c_int), ("relative", c_int),
                 ("stream", c_void_p), ("threads", c_int), ("faces", c_int), ("exclude", c_void_p),
                 ("object_masks", c_void_p), ("object_count", c_size_t), ("ray_masks", c_void_p), ("loop", c_int),
-                ("reserved", c_int)]
+                ("reserved", c_int), *_GO_ON]
 
 
 class HitsRecord(ctypes.Structure):
@@ -86,19 +94,19 @@ class QuadricsRecord(ctypes.Structure):
 class GeometryRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("meshes", POINTER(MeshRecord)), ("mesh_count", c_size_t),
                 ("spheres", POINTER(QuadricsRecord)), ("sphere_count", c_size_t), ("cones", POINTER(QuadricsRecord)),
-                ("cone_count", c_size_t), ("origin", POINTER(c_double)), ("store", c_int), ("reserved", c_int)]
+                ("cone_count", c_size_t), ("origin", POINTER(c_double)), ("store", c_int), ("reserved", c_int), *_GO_ON]
 
 
 class BuildOptionsRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("structure", c_int), ("merge", c_int), ("division", c_char_p),
                 ("box_overlap", c_int), ("cube_space", c_int), ("alpha", c_double), ("step_cost", c_double),
                 ("detail", c_double), ("target", c_uint32), ("nested", c_int), ("expansions", c_int), ("device", c_int),
-                ("threads", c_int), ("for_cpu", c_int), ("quality", c_int), ("reserved", c_int)]
+                ("threads", c_int), ("for_cpu", c_int), ("quality", c_int), ("reserved", c_int), *_GO_ON]
 
 
 class TracerOptionsRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("gpus", POINTER(c_int)), ("gpu_count", c_size_t), ("brute_force", c_int),
-                ("reserved", c_int)]
+                ("reserved", c_int), *_GO_ON]
 
 
 class VerticesRecord(ctypes.Structure):
@@ -234,6 +242,46 @@ def memory_file(contents: bytes = b"") -> Iterator[Tuple[int, str]]:
         yield file.fileno(), "/proc/self/fd/{}".format(file.fileno())
 
 
+# --- Calls --------------------------------------------------------------------------------------------------------
+
+Progress = Optional[Callable[[float], Any]]  # gets the share of the work that is done
+
+
+def _listener(progress: Progress, raised: List[BaseException]) -> Generator[bool, float, None]:
+    """Whether a call goes on, for each share of its work that is done. Python calls handlers of signals where it resumes:
+    what they raise, as KeyboardInterrupt, ends the call."""
+    try:
+        while True:
+            done = yield True
+            if progress is not None:
+                progress(done)
+    except GeneratorExit:
+        pass
+    except BaseException as error:
+        raised.append(error)
+        yield False
+
+
+# A function of C, for in one of Python's handlers would be called before it comes to its `try`.
+_go_on = GoOn(types.GeneratorType.send)
+
+
+def call(function: Callable[..., int], *arguments: Any, options: Any = None, progress: Progress = None) -> None:
+    """Calls a function of the library, and raises what it says if it fails. Of resources it gets the handles. options: the
+    record among the arguments that has go_on: handlers of signals and progress are called meanwhile, and end the call by
+    what they raise."""
+    raised: List[BaseException] = []
+    listener = _listener(progress, raised)
+    if options is not None:
+        next(listener)
+        options.go_on, options.user = _go_on, id(listener)
+    status = function(*[each._opened() if isinstance(each, Resource) else each for each in arguments])
+    if raised:
+        del listener  # it refers to what it caught
+        raise raised.pop()
+    check(status)
+
+
 # --- Objects ------------------------------------------------------------------------------------------------------
 
 class Held:
@@ -241,47 +289,67 @@ class Held:
 
     is_moved = False  # a tracer's: by update()
 
-    def __init__(self, handle: c_void_p, free: Callable[[c_void_p], None]) -> None:
-        finalizer = weakref.finalize(self, free, handle)
+    def __init__(self, free: Callable[[c_void_p], None]) -> None:
+        self.pointer = c_void_p()  # to be set; else nothing is freed
+        finalizer = weakref.finalize(self, free, self.pointer)
         finalizer.atexit = False  # other threads may still use it; the process's end frees everything
+
+
+class Handle(c_void_p):
+    """A resource refers to its handle until it is closed, and a call that uses it for as long as it runs, for ctypes refers
+    to its arguments. So calls aren't counted, and none can be left over where a handler of a signal raises."""
+
+    held: Held
 
 
 class Resource:
     """Holds an object of the library until it is closed, or nobody refers to it; also a context manager. Threads may use
     it at the same time. Copies hold the same object, and are closed each for itself."""
 
-    _handle: Optional[c_void_p] = None  # None once it is closed
-    _held: Optional[Held] = None
+    _handle: Optional[Handle] = None  # None once it is closed
 
-    def _own(self, name: str, create: Callable[..., int], arguments: Tuple[Any, ...], free: Callable[[c_void_p], None]) -> None:
-        handle = c_void_p()
-        check(create(*arguments, byref(handle)))
-        self._hold(name, handle, Held(handle, free))
-
-    def _hold(self, name: str, handle: Optional[c_void_p], held: Optional[Held]) -> None:
+    def _own(self, name: str, create: Callable[..., int], arguments: Tuple[Any, ...], free: Callable[[c_void_p], None],
+             options: Any = None, progress: Progress = None) -> None:
+        held = Held(free)
+        call(create, *arguments, byref(held.pointer), options=options, progress=progress)
         self._name = name
-        self._idle = threading.Condition()
-        self._calls = 0  # that use the handle now
-        self._handle, self._held = handle, held
+        self._hold(held)
+
+    def _hold(self, held: Held) -> None:
+        handle = Handle(held.pointer.value)
+        handle.held = held
+        self._handle = handle
 
     def __copy__(self: Owned) -> Owned:
-        with self._opened() as handle:
-            copied = type(self).__new__(type(self))
-            copied.__dict__.update(self.__dict__)
-            copied._hold(self._name, handle, self._held)
-            return copied
+        copied = type(self).__new__(type(self))
+        copied.__dict__.update(self.__dict__)
+        copied._hold(self._opened().held)
+        return copied
 
     def __deepcopy__(self: Owned, memo: Any) -> Owned:
         return copy.copy(self)  # nothing changes what they hold
 
     def close(self) -> None:
-        """Waits for calls that run, and gives memory back. Using it afterwards is a ValueError."""
-        if self._handle is None:
+        """Waits for calls that run, and gives memory back. Using it afterwards is a ValueError. Within a call that uses it,
+        as in the handler of a signal, it is a RuntimeError."""
+        if self._is_used_by_this_thread():
+            raise RuntimeError("the {} can't be closed from within a call that uses it: close it afterwards".format(self._name))
+        handle, self._handle = self._handle, None
+        if handle is None:
             return
-        with self._idle:
-            self._handle = None
-            self._idle.wait_for(lambda: self._calls == 0)
-        self._held = None
+        unused: "queue.SimpleQueue[Any]" = queue.SimpleQueue()
+        last = weakref.ref(handle, unused.put)
+        del handle
+        unused.get()
+        del last
+
+    def _is_used_by_this_thread(self) -> bool:
+        frame: Optional[types.FrameType] = sys._getframe()
+        while frame is not None:
+            if frame.f_code is call.__code__ and any(each is self for each in frame.f_locals["arguments"]):
+                return True
+            frame = frame.f_back
+        return False
 
     def __enter__(self: Owned) -> Owned:
         return self
@@ -289,19 +357,11 @@ class Resource:
     def __exit__(self, *error: Any) -> None:
         self.close()
 
-    @contextlib.contextmanager
-    def _opened(self) -> Iterator[c_void_p]:
-        with self._idle:
-            if self._handle is None:
-                raise ValueError("the {} is closed".format(self._name))
-            handle = self._handle
-            self._calls += 1
-        try:
-            yield handle
-        finally:
-            with self._idle:
-                self._calls -= 1
-                self._idle.notify_all()
+    def _opened(self) -> Handle:
+        return self._handle or self._closed()  # no variable: the traceback of what a handler raises would refer to it
+
+    def _closed(self) -> Handle:
+        raise ValueError("the {} is closed".format(self._name))
 
 
 # --- Arguments ----------------------------------------------------------------------------------------------------

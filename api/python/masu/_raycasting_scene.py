@@ -37,7 +37,7 @@ class RaycastingScene:
         self._nthreads: int = state["_nthreads"]
         self._device: Any = state["_device"]
         self._meshes: List[Mesh] = state["_meshes"]
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # a handler of a signal may query while a grid is built
         self._tracer: Optional[Tracer] = None
 
     def add_triangles(self, vertex_positions: Any, triangle_indices: Any = None) -> int:

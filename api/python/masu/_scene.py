@@ -12,8 +12,8 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _arrays, _mesh_objects
 from ._library import (KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, GeometryRecord,
-                       GridDescriptionRecord, MeshRecord, Path, PrimitiveRecord, QuadricsRecord, Resource,
-                       SceneDescriptionRecord, Status, check, choice, device_number, folders_of_tools, library, memory_file,
+                       GridDescriptionRecord, MeshRecord, Path, PrimitiveRecord, Progress, QuadricsRecord, Resource,
+                       SceneDescriptionRecord, Status, call, check, choice, device_number, folders_of_tools, library, memory_file,
                        path_bytes, sized)
 
 Vector = Tuple[float, float, float]
@@ -201,7 +201,7 @@ class Scene(Resource):
             if len(origin) != 3:
                 raise ValueError("origin: 3 numbers are needed, not {}".format(len(origin)))
             geometry.origin = (c_double * 3)(*(float(part) for part in origin))
-        self._own("scene", library.masu_scene_create, (byref(geometry),), library.masu_scene_free)
+        self._own("scene", library.masu_scene_create, (byref(geometry),), library.masu_scene_free, geometry)
 
     @classmethod
     def _read(cls, path: Path) -> "Scene":
@@ -214,14 +214,12 @@ class Scene(Resource):
 
     def write(self, path: Path) -> None:
         """Writes a scene file, whole or not at all."""
-        with self._opened() as handle:
-            check(library.masu_scene_write(handle, path_bytes(path)))
+        call(library.masu_scene_write, self, path_bytes(path))
 
     def describe(self) -> Description:
         """Counts, bounds and sizes."""
         record = sized(SceneDescriptionRecord())
-        with self._opened() as handle:
-            check(library.masu_scene_describe(handle, byref(record)))
+        call(library.masu_scene_describe, self, byref(record))
         return Description(record.triangles, record.spheres, record.cones, record.materials, record.objects,
                            _vector(record.bounds_min), _vector(record.bounds_max), _vector(record.origin), record.error_bound,
                            record.bytes, bool(record.is_float64))
@@ -233,8 +231,7 @@ class Scene(Resource):
         if not 0 <= index < count:
             raise IndexError("primitive {}: there are {}".format(index, count))
         record = sized(PrimitiveRecord())
-        with self._opened() as handle:
-            check(library.masu_scene_primitive(handle, index, byref(record)))
+        call(library.masu_scene_primitive, self, index, byref(record))
         return Primitive(KINDS[record.kind], record.object, record.material, record.face, _vector(record.color),
                          record.diffuse, record.specular, record.shine, record.transmittance, record.refraction_index)
 
@@ -242,7 +239,7 @@ class Scene(Resource):
               quality: str = "high", box_overlap: bool = False, cube_space: bool = False, target: Optional[int] = None,
               alpha: Optional[float] = None, step_cost: Optional[float] = None, detail: Optional[float] = None,
               nested: Optional[int] = None, expansions: Optional[int] = None, device: Union[str, int, Any] = "cpu",
-              threads: int = 0, for_cpu: bool = False) -> "Grid":
+              threads: int = 0, for_cpu: bool = False, progress: Progress = None) -> "Grid":
         """A grid of the scene. The options are gridbuild's; None is the default.
 
         structure: "grid", "bvh", or "fastest" of both, which is a grid if merge or division is given; merge: "auto",
@@ -251,7 +248,8 @@ class Scene(Resource):
         box meets it, not their surface; cube_space: the smallest cube about the origin is divided, not the primitives'
         bounds; target, alpha, step_cost, detail, nested, expansions: of merged and irregular grids; device: where to build,
         "cpu", "cuda" or a GPU's number; threads: 0 for all cores; for_cpu: what is chosen automatically is chosen for
-        tracing on a CPU, not on a GPU."""
+        tracing on a CPU, not on a GPU; progress: a function that gets the share of the work that is done, from 0 to 1, about
+        every tenth of a second. What it raises, or the handler of a signal, as KeyboardInterrupt, ends the build."""
         return Grid._build(self, locals())
 
     def __repr__(self) -> str:
@@ -309,9 +307,9 @@ class Grid(Resource):
         raise TypeError("Grid: use Scene.build() or load_grid()")
 
     @classmethod
-    def _of(cls, create: Any, *arguments: Any) -> "Grid":
+    def _of(cls, create: Any, *arguments: Any, options: Any = None, progress: Progress = None) -> "Grid":
         grid = cls.__new__(cls)
-        grid._own("grid", create, arguments, library.masu_grid_free)
+        grid._own("grid", create, arguments, library.masu_grid_free, options, progress)
         return grid
 
     @classmethod
@@ -349,26 +347,22 @@ class Grid(Resource):
         for name in ("alpha", "step_cost", "detail"):
             if given[name] is not None:
                 setattr(options, name, float(given[name]))
-        with scene._opened() as handle:
-            return cls._of(library.masu_grid_build, handle, byref(options))
+        return cls._of(library.masu_grid_build, scene, byref(options), options=options, progress=given["progress"])
 
     def refit(self, scene: Scene) -> "Grid":
         """A hierarchy of a scene whose primitives have moved, which has as many as the one this was built from, in their
         order. Nodes and references are this one's, and their boxes are computed again, in a tenth of a build's time or
         less. Hits are those through a grid that is built anew. Build with quality="fast" what will move."""
-        with self._opened() as handle, scene._opened() as of_scene:
-            return self._of(library.masu_grid_refit, handle, of_scene)
+        return self._of(library.masu_grid_refit, self, scene)
 
     def write(self, path: Path) -> None:
         """Writes a grid file, whole or not at all."""
-        with self._opened() as handle:
-            check(library.masu_grid_write(handle, path_bytes(path)))
+        call(library.masu_grid_write, self, path_bytes(path))
 
     def describe(self) -> GridDescription:
         """Structure and sizes."""
         record = sized(GridDescriptionRecord())
-        with self._opened() as handle:
-            check(library.masu_grid_describe(handle, byref(record)))
+        call(library.masu_grid_describe, self, byref(record))
         x, y, z = record.division
         return GridDescription(list(STRUCTURES)[record.structure], list(MERGES)[record.merge], (x, y, z), record.cells,
                                record.nodes, record.references, record.bytes)

@@ -1,6 +1,5 @@
 """The tracer: a scene and its grid on a device, and queries of them."""
 
-import contextlib
 import copy
 import math
 import operator
@@ -10,8 +9,8 @@ from ctypes import byref, c_int
 from typing import Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Union
 
 from . import _arrays
-from ._library import (CPU, FACES, LOOPS, PRECISIONS, HitsRecord, QueryRecord, Resource, TracerOptionsRecord, VerticesRecord,
-                       check, choice, device_number, library, sized)
+from ._library import (CPU, FACES, LOOPS, PRECISIONS, HitsRecord, Progress, QueryRecord, Resource, TracerOptionsRecord,
+                       VerticesRecord, call, choice, device_number, library, sized)
 from ._scene import Grid, Scene
 
 
@@ -115,6 +114,11 @@ class Tracer(Resource):
 
     Threads may use a tracer at the same time. close() waits for them.
 
+    **Long calls.** `progress` is a function that gets the share of the work that is done, from 0 to 1, about every tenth of a
+    second: of building a grid, or of a query of arrays in host memory. What it raises ends the call, and so does what
+    the handler of a signal raises, as KeyboardInterrupt; on a GPU after the million rays that are traced then. close()
+    in a handler that is called within a query is a RuntimeError.
+
     **Copies** by copy.copy() share the tracer, update() moves all of them, and each is closed for itself; so do copies of
     scenes and grids. copy.deepcopy() makes another tracer of the same scene and grid. Pickling goes through the bytes of
     files: of a scene that was pickled, update() takes vertices as of one from a file. A tracer that was moved is a
@@ -125,7 +129,7 @@ class Tracer(Resource):
     number: int  # by which operators of PyTorch know it: drawn, so that it is nobody else's in another process
 
     def __init__(self, scene: Scene, grid: Optional[Grid] = None, device: Union[str, int, Any] = "cpu", *,
-                 brute_force: bool = False) -> None:
+                 brute_force: bool = False, progress: Progress = None) -> None:
         if not isinstance(scene, Scene):
             raise TypeError("scene: a masu.Scene is needed, not {}: masu.load() reads files".format(type(scene).__name__))
         if grid is not None and not isinstance(grid, Grid):
@@ -134,14 +138,13 @@ class Tracer(Resource):
             raise TypeError("brute_force uses no grid: leave one of both out")
         self._gpus = _gpu_numbers(device)
         if grid is None and not brute_force:
-            grid = scene.build(structure="fastest", device=self._gpus[0] if self._gpus else "cpu", for_cpu=not self._gpus)
+            grid = scene.build(structure="fastest", device=self._gpus[0] if self._gpus else "cpu", for_cpu=not self._gpus,
+                               progress=progress)
         self.scene, self.grid = scene, grid
         self._objects = scene.describe().objects  # the scene may be closed while the tracer lives
         options = sized(TracerOptionsRecord(gpus=(c_int * len(self._gpus))(*self._gpus), gpu_count=len(self._gpus),
                                             brute_force=int(brute_force)))
-        with contextlib.ExitStack() as used:
-            handles = [used.enter_context(each._opened()) if each is not None else None for each in (scene, grid)]
-            self._own("tracer", library.masu_tracer_create, (*handles, byref(options)), library.masu_tracer_free)
+        self._own("tracer", library.masu_tracer_create, (scene, grid, byref(options)), library.masu_tracer_free, options)
         self._register()
 
     def _register(self) -> None:
@@ -161,9 +164,8 @@ class Tracer(Resource):
         return _made_again, (type(self), *self._parts(), self._gpus)
 
     def _parts(self) -> Tuple[Scene, Optional[Grid]]:
-        with self._opened():
-            if self._held is not None and self._held.is_moved:
-                raise TypeError("a tracer that update() has moved isn't copied or pickled: make a masu.Scene of the vertices")
+        if self._opened().held.is_moved:
+            raise TypeError("a tracer that update() has moved isn't copied or pickled: make a masu.Scene of the vertices")
         return self.scene, self.grid
 
     @property
@@ -192,17 +194,17 @@ class Tracer(Resource):
         if arrays.gpu(vertices, "vertices") is None and stream is not None:
             raise ValueError("stream: it is for vertices on a GPU, and these are in host memory")
         record = sized(VerticesRecord(count=len(vertices)))
-        with self._opened() as handle, arrays.queue(vertices, stream) as record.stream:
+        held = self._opened().held
+        with arrays.queue(vertices, stream) as record.stream:
             vertices = arrays.packed(vertices, "vertices")
             setattr(record, "values64" if arrays.is_float64(vertices) else "values", arrays.pointer(vertices))
-            check(library.masu_tracer_update(handle, byref(record)))
-            if self._held is not None:
-                self._held.is_moved = True
+            call(library.masu_tracer_update, self, byref(record))
+        held.is_moved = True
 
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None, relative: bool = False,
                 threads: int = 0, faces: str = "both", exclude: Any = None, object_masks: Any = None,
-                ray_masks: Any = None, loop: str = "auto") -> Dict[str, Any]:
+                ray_masks: Any = None, loop: str = "auto", progress: Progress = None) -> Dict[str, Any]:
         """The nearest hit of each ray: a dictionary of the fields requested, each an array of the rays' leading shape.
 
         t_hit              float32: t, infinity for a miss
@@ -231,7 +233,7 @@ class Tracer(Resource):
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
                  relative: bool = False, threads: int = 0, faces: str = "both", exclude: Any = None,
-                 object_masks: Any = None, ray_masks: Any = None, loop: str = "auto") -> Any:
+                 object_masks: Any = None, ray_masks: Any = None, loop: str = "auto", progress: Progress = None) -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
         return self._query_one(library.masu_occluded, "bool", locals())
@@ -239,7 +241,8 @@ class Tracer(Resource):
     def all_hits(self, rays: Any, limit: int, *,
                  fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids", "front"), precision: str = "auto",
                  stream: Any = None, relative: bool = False, threads: int = 0, faces: str = "both",
-                 exclude: Any = None, object_masks: Any = None, ray_masks: Any = None) -> Dict[str, Any]:
+                 exclude: Any = None, object_masks: Any = None, ray_masks: Any = None,
+                 progress: Progress = None) -> Dict[str, Any]:
         """The first `limit` hits of each ray, at least 1, in their order: each field of nearest() with a dimension of
         that length after the rays' leading shape, the hits and then misses; and "counts", int32: how many hits there are
         in a row. Other arguments are those of nearest(), but for "fast".
@@ -259,12 +262,12 @@ class Tracer(Resource):
 
     def count_hits(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
                    threads: int = 0, faces: str = "both", exclude: Any = None, object_masks: Any = None,
-                   ray_masks: Any = None) -> Any:
+                   ray_masks: Any = None, progress: Progress = None) -> Any:
         """How many hits each ray has, as all_hits() finds them: an array of int32 of the rays' leading shape."""
         return self._query_one(library.masu_count_hits, "int32", locals())
 
     def inside(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
-               threads: int = 0, object_masks: Any = None, ray_masks: Any = None) -> Any:
+               threads: int = 0, object_masks: Any = None, ray_masks: Any = None, progress: Progress = None) -> Any:
         """Whether each ray, in any direction, starts inside the surfaces, whose fronts are outside: an array of uint8 of the
         rays' leading shape. 1 where one more of its hits is of a back than of a front, 0 where as many are; else 2, and the
         surfaces aren't closed, or their fronts not outside, or one lies in another."""
@@ -272,7 +275,7 @@ class Tracer(Resource):
 
     def closest(self, points: Any, *, fields: Union[str, Iterable[str]] = ("distances", "points", "primitive_ids"),
                 relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
-                ray_masks: Any = None) -> Dict[str, Any]:
+                ray_masks: Any = None, progress: Progress = None) -> Dict[str, Any]:
         """The point of the surfaces that is closest to each of the points (..., 3), which are in host memory: a dictionary of
         the fields requested, each an array of the points' leading shape.
 
@@ -317,7 +320,8 @@ class Tracer(Resource):
             raise ValueError("{} are on {}, the tracer on {}: copy them, or open a tracer there".format(
                 name, _device_name([gpu]), self.device))
         count = math.prod(shape[:-1])
-        with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
+        self._opened()
+        with arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays, name)
             objects = (self._objects,) if given["object_masks"] is not None else ()
             filters = {}  # kept until the query is queued
@@ -340,5 +344,6 @@ class Tracer(Resource):
                        for each, field in fields.items()}
             if count and results:
                 pointers = {each: arrays.pointer(result) for each, result in results.items()}
-                check(function(handle, arrays.pointer(rays), count, byref(record), *arguments(pointers)))
+                call(function, self, arrays.pointer(rays), count, byref(record), *arguments(pointers), options=record,
+                     progress=given["progress"])
         return results

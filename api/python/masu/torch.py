@@ -6,8 +6,8 @@
     def depth(rays):
         return masu.torch.nearest(tracer, rays)["t_hit"]
 
-The functions have the arguments and results of the methods of masu.Tracer, but for `stream`: on a GPU it is the current
-one. Rays are tensors. There are no gradients: a backward pass through a result is an error.
+The functions have the arguments and results of the methods of masu.Tracer, but for `progress` and `stream`: on a GPU it is
+the current one. Rays are tensors. There are no gradients: a backward pass through a result is an error.
 
 The operators are torch.ops.masu.nearest, occluded, count_hits and inside. A tracer is a number to them, which keeps nobody
 alive: where its tracer is closed or freed, or in another process, they raise a ValueError."""

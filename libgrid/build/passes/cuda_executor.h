@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/build/passes/executor.h"
+#include "libscene/base/progress_monitor.h"
 #include "libscene/cuda/device_memory.h"
 
 #include <cub/device/device_radix_sort.cuh>
@@ -161,8 +162,9 @@ public:
   template <class T>
   using Array = DeviceArray<T>;
 
-  // `pool`: of its arrays; it must outlive them.
-  explicit CudaExecutor(cudaMemPool_t pool) : queue_{nullptr, pool} {}
+  // `pool`: of its arrays; it must outlive them. `progress`: of the build that the passes are of.
+  explicit CudaExecutor(cudaMemPool_t pool, const ProgressMonitor* progress = nullptr)
+      : queue_{nullptr, pool}, progress_(progress) {}
   CudaExecutor(const CudaExecutor&) = delete;
   CudaExecutor& operator=(const CudaExecutor&) = delete;
 
@@ -178,11 +180,13 @@ public:
   }
   template <class Act>
   void for_each(std::uint64_t count, const Act& act) const {
+    check_progress(progress_);
     for_each_on_device(count, nullptr, act);
   }
   template <class Work>
   void for_each_by_group(std::uint64_t count, const Work& work) const {
     if (count == 0) return;
+    check_progress(progress_);
     using namespace kernels;
     const auto large = array<std::uint32_t>(count + 1);
     check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
@@ -273,6 +277,7 @@ private:
   }
 
   Queue queue_; // the default stream
+  const ProgressMonitor* progress_;
 };
 
 } // namespace masu

@@ -4,13 +4,13 @@
 #include "libgrid/build/build.h"
 #include "libgrid/build/passes/executor.h"
 #include "libgrid/build/passes/thread_group.h"
+#include "libscene/base/progress_monitor.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,7 +21,7 @@ namespace masu {
 template <bool parallel>
 class HostExecutor {
 public:
-  std::function<void(double)> progress; // gets shares of a grid's work; may be empty
+  ProgressMonitor* progress = nullptr; // of the build that the passes are of; may be null
 
   static constexpr bool has_warps = false;
   using Memory = HostMemory;
@@ -59,6 +59,7 @@ public:
     const std::uint64_t chunks = (values.size() + chunk - 1) / chunk;
     std::vector<T> sums(chunks, T{});
     const auto over = [&](std::uint64_t c, const auto& act) {
+      check_progress(progress);
       T sum = sums[c];
       const std::uint64_t end = std::min<std::uint64_t>(values.size(), (c + 1) * chunk);
       for (std::uint64_t i = c * chunk; i != end; ++i)
@@ -107,6 +108,7 @@ public:
       std::vector<std::pair<std::uint64_t, Value>> emitted;
       const std::uint64_t end = std::min(count, (c + 1) * items_per_chunk);
       for (std::uint64_t i = c * items_per_chunk; i != end && emitted.size() <= max_pairs; ++i) {
+        if (i % 16 == 0) check_progress(progress);
         emit(i, 0, all_rows,
              [&](std::uint64_t key, const Value& value) { emitted.emplace_back(key, value); });
       }
@@ -134,6 +136,7 @@ public:
     auto keys = array<std::uint64_t>(total);
     auto values = array<Value>(total);
     tbb::parallel_for(std::uint64_t{0}, buckets, [&](std::uint64_t bucket) {
+      check_progress(progress);
       const std::uint64_t first = begin[bucket], pair_count = begin[bucket + 1] - first;
       if (pair_count == 0) return;
       const auto for_each_pair = [&](const auto& act) {
@@ -167,16 +170,20 @@ public:
 
 private:
   template <class Act>
-  static void for_each_range(std::uint64_t count, std::uint64_t grain, const Act& act) {
-    if constexpr (!parallel) {
-      for (std::uint64_t i = 0; i < count; ++i)
-        act(i);
-      return;
+  void for_each_range(std::uint64_t count, std::uint64_t grain, const Act& act) const {
+    const auto over = [&](std::uint64_t begin, std::uint64_t end) {
+      while (begin != end) {
+        check_progress(progress);
+        for (const std::uint64_t next = std::min(end, begin + grain); begin != next; ++begin)
+          act(begin);
+      }
+    };
+    if constexpr (parallel) {
+      tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, grain),
+                        [&](const auto& range) { over(range.begin(), range.end()); });
+    } else {
+      over(0, count);
     }
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, grain), [&](const auto& range) {
-      for (std::uint64_t i = range.begin(); i != range.end(); ++i)
-        act(i);
-    });
   }
 };
 

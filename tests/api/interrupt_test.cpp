@@ -1,0 +1,208 @@
+// Calls of the C interface that their program ends: go_on() of masu.h.
+#include "libscene/geometry/vector.h"
+#include "tests/api/found.h"
+#include "tests/stability/random_seed.h"
+
+#include <masu/masu.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace {
+
+// A program's go_on(), which returns 0 when it is called for the last time.
+struct Calls {
+  int last;
+  int count = 0;
+  bool are_right = true; // by the thread of the call, and shares of work
+  std::thread::id thread = std::this_thread::get_id();
+
+  static int go_on(void* user, double done) {
+    Calls& calls = *static_cast<Calls*>(user);
+    ++calls.count;
+    if (std::this_thread::get_id() != calls.thread || !(done >= 0 && done <= 1)) calls.are_right = false;
+    return calls.count < calls.last ? 1 : 0;
+  }
+};
+
+template <class Options>
+Options with(Options options, Calls& calls) {
+  options.go_on = Calls::go_on;
+  options.user = &calls;
+  return options;
+}
+
+void expect_ended(masu_status status, const Calls& calls) {
+  EXPECT_EQ(status, MASU_ERROR_INTERRUPTED) << masu_error();
+  EXPECT_STREQ(masu_error(), "go_on: has ended the call");
+  EXPECT_EQ(calls.count, calls.last);
+  EXPECT_TRUE(calls.are_right);
+}
+
+class Interrupt : public testing::Test {
+protected:
+  float coordinate() { return std::uniform_real_distribution<float>(-1, 1)(engine_); }
+
+  std::vector<float> random_vertices(std::size_t triangles) {
+    std::vector<float> vertices;
+    for (std::size_t i = 0; i < triangles; ++i) {
+      const std::array<float, 3> center{coordinate(), coordinate(), coordinate()};
+      for (int k = 0; k < 9; ++k)
+        vertices.push_back(center[static_cast<std::size_t>(k % 3)] + 0.05F * coordinate());
+    }
+    return vertices;
+  }
+  masu_mesh mesh_of(const std::vector<float>& vertices) {
+    auto mesh = masu::mesh(vertices, std::array<std::uint32_t, 0>{});
+    mesh.indices = nullptr;
+    mesh.triangle_count = vertices.size() / 9;
+    return mesh;
+  }
+  masu::Scene scene_of(const std::vector<float>& vertices) {
+    return masu::Scene(std::array{mesh_of(vertices)});
+  }
+  std::vector<masu_ray> random_rays(std::size_t count) {
+    std::vector<masu_ray> rays(count);
+    for (masu_ray& ray : rays) {
+      for (int axis = 0; axis < 3; ++axis) {
+        ray.origin[axis] = coordinate();
+        ray.direction[axis] = coordinate();
+      }
+      ray.tmax = 1;
+    }
+    return rays;
+  }
+
+  const masu::RandomSeed seed_;
+  std::mt19937_64 engine_ = seed_.engine();
+
+private:
+  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
+};
+
+// They would take minutes, or an hour.
+TEST_F(Interrupt, QueriesByBruteForceEndWhereTheProgramSaysSo) {
+  const std::vector<float> vertices = random_vertices(100'000);
+  const masu::Scene scene = scene_of(vertices);
+  const masu::Tracer tracer(scene, nullptr, {}, true);
+  const std::vector<masu_ray> rays = random_rays(std::size_t{1} << 20);
+  std::vector<float> t(rays.size());
+  std::vector<double> t64(rays.size());
+  std::vector<std::uint32_t> counts(rays.size());
+  std::vector<std::uint8_t> bytes(rays.size());
+  auto hits = masu::sized<masu_hits>(), hits64 = masu::sized<masu_hits>();
+  hits.t = t.data();
+  hits64.t64 = t64.data();
+  const void* const from = rays.data();
+  const std::size_t n = rays.size();
+  for (const masu_precision precision : {MASU_PRECISION_ROBUST, MASU_PRECISION_DOUBLE}) {
+    const auto expect_ended_query = [&](const auto& call) {
+      Calls calls{static_cast<int>(1 + engine_() % 2)};
+      auto query = with(masu::sized<masu_query>(), calls);
+      query.precision = precision;
+      query.threads = static_cast<int>(engine_() % 2);
+      expect_ended(call(&query), calls);
+    };
+    masu_tracer* const by = tracer.get();
+    expect_ended_query([&](const masu_query* q) { return masu_nearest(by, from, n, q, &hits); });
+    expect_ended_query([&](const masu_query* q) { return masu_nearest(by, from, n, q, &hits64); });
+    expect_ended_query([&](const masu_query* q) { return masu_all_hits(by, from, n, q, 1, &hits, nullptr); });
+    expect_ended_query([&](const masu_query* q) { return masu_count_hits(by, from, n, q, counts.data()); });
+    expect_ended_query([&](const masu_query* q) { return masu_inside(by, from, n, q, bytes.data()); });
+    expect_ended_query([&](const masu_query* q) { return masu_closest(by, from, n, q, &hits64, nullptr); });
+  }
+  const std::vector<masu_ray> few(rays.begin(), rays.begin() + 50);
+  EXPECT_TRUE(found_by(tracer, few) == found_by(masu::Tracer(scene), few));
+}
+
+TEST_F(Interrupt, BuildsEndWhereTheProgramSaysSo) {
+  const std::vector<float> vertices = random_vertices(400'000);
+  const masu_mesh mesh = mesh_of(vertices);
+  const masu::Scene scene = scene_of(vertices);
+  for (const masu_structure structure : {MASU_STRUCTURE_FASTEST, MASU_STRUCTURE_GRID, MASU_STRUCTURE_BVH}) {
+    Calls calls{1};
+    auto options = with(masu::default_build_options(), calls);
+    options.structure = structure;
+    masu_grid* grid = nullptr;
+    expect_ended(masu_grid_build(scene.get(), &options, &grid), calls);
+    EXPECT_EQ(grid, nullptr);
+  }
+  Calls calls{2};
+  const auto options = with(masu::sized<masu_tracer_options>(), calls);
+  masu_tracer* tracer = nullptr;
+  expect_ended(masu_tracer_create(scene.get(), nullptr, &options, &tracer), calls);
+  EXPECT_EQ(tracer, nullptr);
+  // Of many meshes, so that it takes long enough.
+  const std::vector<masu_mesh> meshes(10, mesh);
+  Calls of_scene{1};
+  auto geometry = with(masu::sized<masu_geometry>(), of_scene);
+  geometry.meshes = meshes.data();
+  geometry.mesh_count = meshes.size();
+  masu_scene* made = nullptr;
+  expect_ended(masu_scene_create(&geometry, &made), of_scene);
+  EXPECT_EQ(made, nullptr);
+}
+
+// Also if the program traces meanwhile.
+TEST_F(Interrupt, ResultsAreTheSameWithAndWithout) {
+  const std::vector<float> vertices = random_vertices(20'000);
+  const masu::Scene scene = scene_of(vertices);
+  const masu::Tracer tracer(scene), brute_force(scene, nullptr, {}, true);
+  const std::vector<masu_ray> rays = random_rays(5'000);
+  struct Nested {
+    const masu::Tracer& tracer;
+    const std::vector<masu_ray>& rays;
+    int count = 0;
+
+    static int go_on(void* user, double) {
+      Nested& nested = *static_cast<Nested*>(user);
+      ++nested.count;
+      return nested.tracer.nearest(nested.rays).t.size() == nested.rays.size() ? 1 : 0;
+    }
+  } nested{tracer, rays};
+  const masu::QueryOptions options{.go_on = Nested::go_on, .user = &nested};
+  const masu::Hits expected = tracer.nearest(rays);
+  for (const masu::Tracer* by : {&tracer, &brute_force}) {
+    const masu::Hits hits = by->nearest(rays, options);
+    EXPECT_EQ(hits.t, expected.t);
+    EXPECT_EQ(hits.primitive, expected.primitive);
+  }
+  EXPECT_GT(nested.count, 0);
+}
+
+// As programs have it that were compiled before go_on was there.
+TEST_F(Interrupt, StructuresWithoutGoOnWork) {
+  const std::vector<float> vertices = random_vertices(100);
+  const masu_mesh mesh = mesh_of(vertices);
+  Calls calls{1};
+  const auto older = [&](auto options, std::size_t size) {
+    options.size = size;
+    return with(options, calls);
+  };
+  auto geometry = older(masu::sized<masu_geometry>(), offsetof(masu_geometry, go_on));
+  geometry.meshes = &mesh;
+  geometry.mesh_count = 1;
+  masu_scene* scene = nullptr;
+  ASSERT_DONE(masu_scene_create(&geometry, &scene));
+  const auto build = older(masu::default_build_options(), offsetof(masu_build_options, go_on));
+  masu_grid* grid = nullptr;
+  ASSERT_DONE(masu_grid_build(scene, &build, &grid));
+  const auto options = older(masu::sized<masu_tracer_options>(), offsetof(masu_tracer_options, go_on));
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_tracer_create(scene, grid, &options, &tracer));
+  const std::vector<masu_ray> rays = random_rays(100);
+  const auto query = older(masu::sized<masu_query>(), offsetof(masu_query, go_on));
+  EXPECT_TRUE(found_by(tracer, rays, query) == found_by(tracer, rays));
+  EXPECT_EQ(calls.count, 0);
+  masu_tracer_free(tracer);
+  masu_grid_free(grid);
+  masu_scene_free(scene);
+}
+
+} // namespace

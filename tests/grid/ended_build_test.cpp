@@ -1,0 +1,82 @@
+// Builds that their progress ends, at any time.
+#include "libgrid/build/chosen_structure.h"
+#include "tests/random_scene.h"
+#include "tests/random_test.h"
+#include "tests/same_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+namespace masu {
+namespace {
+
+struct Ended {};
+
+template <class Stored>
+class EndedBuild : public RandomTest {
+protected:
+  EndedBuild() {
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3d at = chance_.in_cube(1);
+      const auto near = [&] { return cast<Stored>(at + chance_.in_cube(0.05)); };
+      scene_.triangles.push_back(triangle_of(near(), near(), near()));
+    }
+  }
+  Grid built(const BuildOptions& options, const std::function<void(double)>& progress) {
+    return build_chosen(*cpu_builder(scene_.view(), progress), {scene_.bounds(), Hash{1, 2}}, options).grid;
+  }
+  std::vector<BuildOptions> all_options() const {
+    std::vector<BuildOptions> all;
+    for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
+                                GridKind::hierarchy, GridKind::automatic, GridKind::fastest})
+      all.emplace_back().grid.kind = kind;
+    all.emplace_back().grid = {GridKind::hierarchy};
+    all.back().grid.quality = HierarchyQuality::fast;
+    return all;
+  }
+
+  TestScene<Stored> scene_;
+};
+TYPED_TEST_SUITE(EndedBuild, Reals);
+
+TYPED_TEST(EndedBuild, ThrowsWhatItsProgressThrowsAndTheNextIsAsEver) {
+  for (const BuildOptions& options : this->all_options()) {
+    SCOPED_TRACE(static_cast<int>(options.grid.kind));
+    std::atomic<int> reports = 0;
+    std::atomic<bool> in_range = true;
+    const Grid expected = this->built(options, {});
+    expect_same(expected, this->built(options, [&](double done) {
+      ++reports;
+      if (!(done >= 0 && done <= 1)) in_range = false;
+    }));
+    EXPECT_TRUE(in_range);
+    EXPECT_GT(reports, 20);
+    for (int i = 0; i < 8; ++i) {
+      std::atomic<int> left = this->chance_.whole(1, reports / 2); // with threads there may be some less
+      EXPECT_THROW(static_cast<void>(this->built(options,
+                                                 [&](double) {
+                                                   if (--left <= 0) throw Ended();
+                                                 })),
+                   Ended);
+    }
+    expect_same(expected, this->built(options, {}));
+  }
+}
+
+TYPED_TEST(EndedBuild, SharesOfWhatIsDoneRise) {
+  for (const BuildOptions& options : this->all_options()) {
+    SCOPED_TRACE(static_cast<int>(options.grid.kind));
+    made_by_threads(1, [&] {
+      double last = 0;
+      this->built(options, [&](double done) {
+        EXPECT_GE(done, last);
+        last = done;
+      });
+      return last;
+    });
+  }
+}
+
+} // namespace
+} // namespace masu
