@@ -14,7 +14,7 @@ import types
 import weakref
 from ctypes import (CFUNCTYPE, POINTER, byref, c_char_p, c_double, c_float, c_int, c_size_t, c_uint32, c_uint64, c_void_p,
                     py_object)
-from typing import Any, Callable, Generator, List, Optional, Tuple, TypeVar, Union
+from typing import Any, Callable, Generator, Iterator, List, Optional, Tuple, TypeVar, Union
 
 Owned = TypeVar("Owned", bound="Resource")
 
