@@ -140,9 +140,9 @@ class RaycastingScene:
     @staticmethod
     def create_rays_lidar(pose: Any, elevations_deg: Any, azimuths_deg: Any) -> Any:
         """Rays (N, M, 6) of a spinning lidar: a row for each of N elevations, a column for each of M azimuths, in degrees:
-        float32 if all three arrays are, else float64. pose is (4, 4), from the lidar to the world: its rotation, and its position in the last column. The lidar's x
-        points ahead, y to the left, z up: azimuths turn from x to y, elevations rise from that plane. Directions have the
-        length 1: t_hit is range. Open3D has no such function."""
+        float32 if all three arrays are, else float64. pose is (4, 4), from the lidar to the world: its rotation, and its
+        position in the last column. The lidar's x points ahead, y to the left, z up: azimuths turn from x to y, elevations
+        rise from that plane. Directions have the length 1: t_hit is range. Open3D has no such function."""
         import numpy as np
         to_world = _vector("pose", pose, (4, 4))
         (level, up), (ahead, left) = _angles("elevations_deg", elevations_deg), _angles("azimuths_deg", azimuths_deg)
