@@ -309,6 +309,8 @@ typedef struct masu_ray {
   float direction[3], tmax; /* tmax may be INFINITY */
 } masu_ray;
 
+/* Traced in float32 arithmetic (MASU_PRECISION_ROBUST, MASU_PRECISION_FAST), it goes on in double until it is
+ * near the scene, and is rounded there; t counts from its origin. */
 typedef struct masu_ray64 {
   double origin[3], tmin;
   double direction[3], tmax;
@@ -401,7 +403,7 @@ MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, s
 MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count,
                                    const masu_query* query, uint8_t* occluded);
 
-/* The first `limit` hits of each ray, from 1 to 65536, in their order: each array of `hits` has a row of
+/* The first `limit` hits of each ray, from 1 to 2^31 - 1, in their order: each array of `hits` has a row of
  * `limit` elements for each ray, the hits and then misses. counts: how many hits a row has; may be NULL.
  *
  * Hits are crossings: where a ray passes an edge or a corner that triangles share, one of those on either

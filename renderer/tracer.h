@@ -143,7 +143,7 @@ inline RayList relative(RayList rays) {
 // those are sorted out first (renderer/cuda/culling.h). Hits are the same.
 enum class RayLoop { thread_per_ray, warp, warp_refill };
 
-inline constexpr std::uint32_t max_hits_per_ray = 1 << 16;
+inline constexpr std::uint32_t max_hits_per_ray = 0x7fffffff;
 
 struct RaysRequest {
   TracingRules tracing{};

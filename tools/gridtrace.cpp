@@ -250,7 +250,7 @@ void add_list_options(const CommandLine& command, Settings& settings) {
                       "write up to K hits of each ray in their order, a closed mesh's crossings "
                       "at edges and corners once")
           .type_name("K")
-          .range(1U, max_hits_per_ray)
+          .range(1U, 1U << 16) // records have as many
           .excludes(any);
   command
       .add_flag("--count-hits", settings.count_hits,

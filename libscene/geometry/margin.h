@@ -6,6 +6,8 @@
 // to the padding and the rounding of the entry.
 //  - Clipping rounds o, several times from far away: 8 u M, from up to 1 / (2 u) times M away. From beyond
 //    that the first clip leaves o some M before the bounds, and so rounds it by more.
+//  - A ray of a list (ray_query.h) is rounded to float32 within ±4 M: along each axis its origin by 4 u M,
+//    its direction by u times the 5 M at most up to the hit. In all below 16 u M.
 //  - Triangles (triangle.h): subtracting o moves a vertex by 2√3 u M; projecting it, across the ray and along
 //    it, by (3 + 4) u 2√3 M each; the edge functions have small relative errors and exact signs, so the hit
 //    lies on the moved triangle up to 9 u 2√3 M along the ray. In all below 89 u M (the worst case found by

@@ -146,6 +146,18 @@ MASU_ALWAYS_INLINE double inverse_power_of_two(double magnitude) {
   return double_of(static_cast<std::uint64_t>(inverse) << 52);
 }
 
+// The largest float that isn't above a number, and the smallest that isn't below it. Beyond all floats the
+// largest, or infinity; NaN stays.
+MASU_ALWAYS_INLINE float rounded_up(double value) {
+  const auto nearest = static_cast<float>(value);
+  if (!(static_cast<double>(nearest) < value)) return nearest;
+  const std::uint32_t bits = bits_of(nearest);
+  return float_of(nearest == 0 ? 1U : nearest > 0 ? bits + 1 : bits - 1);
+}
+MASU_ALWAYS_INLINE float rounded_down(double value) {
+  return -rounded_up(-value);
+}
+
 // Minimum and maximum in one instruction, for numbers that are never NaN; of -0 and +0 either.
 MASU_ALWAYS_INLINE float fast_min(float a, float b) {
 #ifdef __CUDA_ARCH__

@@ -33,9 +33,11 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
   Numbers8 skipped, scale, inverse_square;
   unsigned meet_bounds = 0; // a bit for each ray that meets the scene's bounds
 
-  void load(const void* rays, const RayFormat& format, std::size_t first) {
+  // `box`: the scene's padded bounds.
+  template <class Stored>
+  void load(const void* rays, const RayFormat& format, std::size_t first, const Box<Stored>& box) {
     for (std::size_t i = 0; i < count; ++i) {
-      const Ray<float> ray = loaded<float>(rays, format, first + i);
+      const Ray<float> ray = listed_ray<float>(rays, format, first + i, box).ray;
       origin.set(i, ray.origin);
       direction.set(i, ray.direction);
       t_min.of[i] = ray.t_min;
@@ -43,7 +45,6 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
     }
   }
 
-  // `box`: the scene's padded bounds.
   void prepare(const Box<float>& box) {
     constexpr float unit = RealTraits<float>::unit_roundoff;
     Vec3<Floats8> o = origin.all(), d = direction.all();
@@ -140,7 +141,7 @@ inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Grid& gri
                                  const Found& found) {
   EightRays eight;
   for (; first + EightRays::count <= end; first += EightRays::count) {
-    eight.load(rays, format, first);
+    eight.load(rays, format, first, scene.clip);
     eight.prepare(scene.clip);
     for (std::size_t i = 0; i < EightRays::count; ++i) {
       ListedHit hit = no_listed_hit;
@@ -180,7 +181,7 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
   const auto take_next = [&](const auto& take) {
     while (ready == 0) {
       if (loaded == end) return false;
-      eight.load(rays, format, loaded);
+      eight.load(rays, format, loaded, scene.clip);
       eight.prepare(scene.clip);
       ready = eight.meet_bounds;
       each_bit(ready ^ 0xff,

@@ -257,7 +257,7 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
     unsigned left[Walk::eights] = {};
     std::size_t next = first;
     for (int e = 0; e < Walk::eights && next + EightRays::count <= end; ++e, next += EightRays::count) {
-      packet[e].load(rays, format, next);
+      packet[e].load(rays, format, next, scene.clip);
       packet[e].prepare(scene.clip);
       left[e] = packet[e].meet_bounds;
       each_bit(left[e] ^ 0xff,
@@ -300,7 +300,8 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
   std::size_t alike = 0;
   for (std::size_t sample = 0; sample < samples; ++sample) {
     const std::size_t i = first + (end - first - apart) * sample / samples;
-    const Ray<float> a = loaded<float>(rays, format, i), b = loaded<float>(rays, format, i + apart);
+    const Ray<float> a = listed_ray<float>(rays, format, i, bounds).ray,
+                     b = listed_ray<float>(rays, format, i + apart, bounds).ray;
     const float both = dot(a.direction, b.direction);
     alike += largest_magnitude(a.origin - b.origin) <= near && both > 0 &&
              both * both >= 0.9F * dot(a.direction, a.direction) * dot(b.direction, b.direction);

@@ -26,8 +26,11 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
       progress.done(i);
       const Hit<float> hit = reported(listed);
       write_hit<query>(results, i, hit);
-      if (query == Query::nearest_hit && results.has_attributes())
-        write_attributes(scene, loaded<float>(rays.rays, rays.format, i), hit, results, i);
+      if (query != Query::nearest_hit || (hit.primitive == no_primitive && !results.has_attributes())) return;
+      if (!results.has_attributes() && !may_be_rounded<float>(rays.format)) return;
+      const ListedRay<float> ray = listed_ray<float>(rays.rays, rays.format, i, scene.clip);
+      if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
+      add_skipped(ray.skipped, results, i, 1);
     };
     if constexpr (std::is_same_v<Grid, HierarchyView<float>>)
       return trace_list<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
@@ -51,14 +54,15 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
                                                                  range.begin(), range.end());
          i != range.end(); ++i) {
       progress.done(i);
-      const Ray<Real> ray = loaded<Real>(rays.rays, rays.format, i);
+      const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       C ray_counts;
-      const Hit<float> hit = trace_listed<query, M>(scene, grid, ray, ray_counts);
+      const Hit<float> hit = trace_listed<query, M>(scene, grid, ray.ray, ray_counts);
       write_hit<query>(results, i, hit);
       write_costs(results.costs, i, ray_counts);
       add(counts, ray_counts);
-      if (query == Query::nearest_hit && results.has_attributes())
-        write_attributes(scene, ray, hit, results, i);
+      if (query != Query::nearest_hit) continue;
+      if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
+      add_skipped(ray.skipped, results, i, 1);
     }
     add(totals.local(), counts);
   });
@@ -76,8 +80,9 @@ void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayLi
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task / 16), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       progress.done(i);
-      write_hits<Method<TestRay, with_all_kinds>>(scene, structure, loaded<Real>(rays.rays, rays.format, i),
-                                                  rays.filters, rules, results, i);
+      const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
+      write_hits<Method<TestRay, with_all_kinds>>(scene, structure, ray.ray, rays.filters, rules, results, i);
+      add_skipped(ray.skipped, results, i * rules.row(), rules.row());
     }
   });
 }

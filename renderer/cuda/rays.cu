@@ -4,9 +4,10 @@
 namespace masu {
 namespace {
 
-// Rays in device memory as the arithmetic's numbers, aligned for its loads: where they lie, or copied.
-template <class Real>
-const Ray<Real>* converted(const RayList& list, const Queue& queue, DeviceArray<Ray<Real>>& copy) {
+// Rays in device memory as they are traced, aligned for the kernels' loads: where they lie, or copied.
+template <class Real, class Stored>
+const Ray<Real>* converted(const RayList& list, const Box<Stored>& box, const Queue& queue,
+                           DeviceArray<Ray<Real>>& copy) {
   if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
     return static_cast<const Ray<Real>*>(list.rays);
   copy = DeviceArray<Ray<Real>>(list.count, queue);
@@ -14,8 +15,20 @@ const Ray<Real>* converted(const RayList& list, const Queue& queue, DeviceArray<
   const RayFormat format = list.format;
   Ray<Real>* const to = copy.data();
   for_each_on_device(list.count, queue.stream,
-                     [=] __device__(std::uint64_t i) { to[i] = loaded<Real>(rays, format, i); });
+                     [=] __device__(std::uint64_t i) { to[i] = listed_ray<Real>(rays, format, i, box).ray; });
   return to;
+}
+
+// Of traced rays, with `row` elements each.
+template <class Real, class Stored>
+void queue_skipped(const RayList& list, const Box<Stored>& box, const RayResults& results, std::uint32_t row,
+                   const Queue& queue) {
+  if (!may_be_rounded<Real>(list.format) || (results.t == nullptr && results.t64 == nullptr)) return;
+  const void* const rays = list.rays;
+  const RayFormat format = list.format;
+  for_each_on_device(list.count, queue.stream, [=] __device__(std::uint64_t i) {
+    add_skipped(listed_ray<Real>(rays, format, i, box).skipped, results, i * row, row);
+  });
 }
 
 } // namespace
@@ -31,11 +44,13 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
       [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
         using Real = typename TestRay::Real;
         DeviceArray<Ray<Real>> copy;
-        const Ray<Real>* const own = converted(rays, queue, copy);
+        const Box<Stored> box = files.of<Stored>().scene.view.clip;
+        const Ray<Real>* const own = converted(rays, box, queue, copy);
         if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
           if (needs_hits_in_order(rays, results, request)) {
             size = queue_hits<TestRay>(files.of<Stored>(), grid, hit_rules(request), rays.filters,
                                        RayBatch<Real>{own, rays.count, results, nullptr, queue, begun});
+            queue_skipped<Real>(rays, box, results, hit_rules(request).row(), queue);
             return;
           }
         }
@@ -49,6 +64,7 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
         const RayBatch<Real> batch{own, rays.count, found, counts, queue, begun};
         size = queue_batch<TestRay>(files.of<Stored>(), view, grid, request, batch);
         if (has_attributes) queue_attributes(files.of<Stored>(), batch, results);
+        if (request.query == Query::nearest_hit) queue_skipped<Real>(rays, box, results, 1, queue);
       });
   return size;
 }

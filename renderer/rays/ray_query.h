@@ -41,17 +41,31 @@ MASU_HD inline Ray<Number> loaded_numbers(const Number* n, int numbers) {
   return {{n[0], n[1], n[2]}, n[3], {n[4], n[5], n[6]}, n[7]};
 }
 
-// Ray i of a list, relative to the scene's origin, its numbers then rounded to Real.
+// In the arithmetic's numbers. Limits are rounded outwards: a t that float32 holds is between them if it is
+// between those given.
 template <class Real>
-MASU_HD inline Ray<Real> loaded(const void* rays, const RayFormat& format, std::size_t i) {
+MASU_HD inline Ray<Real> rounded(const Ray<double>& ray) {
+  if constexpr (sizeof(Real) == sizeof(double))
+    return ray;
+  else
+    return {cast<Real>(ray.origin), rounded_down(ray.t_min), cast<Real>(ray.direction),
+            rounded_up(ray.t_max)};
+}
+
+// Ray i of a list, relative to the scene's origin.
+MASU_HD inline Ray<double> in_float64(const void* rays, const RayFormat& format, std::size_t i) {
   const std::size_t first = i * static_cast<std::size_t>(format.numbers);
   const auto converted = [&](const auto& ray) {
-    return Ray<Real>{cast<Real>(cast<double>(ray.origin) - format.origin), static_cast<Real>(ray.t_min),
-                     cast<Real>(ray.direction), static_cast<Real>(ray.t_max)};
+    return Ray<double>{cast<double>(ray.origin) - format.origin, static_cast<double>(ray.t_min),
+                       cast<double>(ray.direction), static_cast<double>(ray.t_max)};
   };
   return format.is_float64
              ? converted(loaded_numbers(static_cast<const double*>(rays) + first, format.numbers))
              : converted(loaded_numbers(static_cast<const float*>(rays) + first, format.numbers));
+}
+template <class Real>
+MASU_HD inline Ray<Real> loaded(const void* rays, const RayFormat& format, std::size_t i) {
+  return rounded<Real>(in_float64(rays, format, i));
 }
 
 // --- Rays made ready ---------------------------------------------------------------------------------------
@@ -96,6 +110,57 @@ MASU_HD inline bool scale_and_clip(const SceneView<Stored>& scene, Ray<Real> ray
                                    Real& scale) {
   scale = scale_direction(ray);
   return clip(ray, cast<Real>(scene.clip), near);
+}
+
+// --- Rays from far away ------------------------------------------------------------------------------------
+
+// Float32 hasn't the digits of a ray from far away: rounding its origin and its direction moves it aside by
+// u times the distance. So a ray that would lose digits first goes on in float64, until it is near. `skipped`
+// is t up to there, which is added to that of its hits. With M the largest coordinate of the scene's bounds,
+// rays that start within ±4 M of the scene's origin are near: rounding moves them aside by less than 16 u M,
+// which the error bound (margin.h) has room for. Rays whose numbers float32 holds stay as they are, however
+// they are stored.
+template <class Real>
+struct ListedRay {
+  Ray<Real> ray;
+  double skipped = 0;
+};
+
+// Whether rays of a list may lose digits.
+template <class Real>
+MASU_HD inline bool may_be_rounded(const RayFormat& format) {
+  return sizeof(Real) < sizeof(double) && (format.is_float64 || !(format.origin == Vec3d{0, 0, 0}));
+}
+
+// Ray i of a list as it is traced. `box`: the scene's padded bounds.
+template <class Real, class Stored>
+MASU_HD inline ListedRay<Real> listed_ray(const void* rays, const RayFormat& format, std::size_t i,
+                                          const Box<Stored>& box) {
+  const Ray<double> given = in_float64(rays, format, i);
+  const Ray<Real> ray = rounded<Real>(given);
+  const auto largest = static_cast<double>(largest_magnitude(box));
+  if (!may_be_rounded<Real>(format) || !(largest_magnitude(given.origin) > 4 * largest) ||
+      (cast<double>(ray.origin) == given.origin && cast<double>(ray.direction) == given.direction) ||
+      !is_valid(ray))
+    return {ray};
+  constexpr double unit = RealTraits<double>::unit_roundoff;
+  const Vec3d d = given.direction;
+  Vec3d o = given.origin;
+  double skipped = 0;
+  // Along the axis that it is farthest away on, to 2 M, or a little less far. From where a rounding of that
+  // is longer than the scene, it takes more than once. What goes away from the scene hits nothing.
+  for (int moves = 0; moves < most_clips; ++moves) {
+    const Vec3d size{std::abs(o.x), std::abs(o.y), std::abs(o.z)};
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    if (!(size[axis] > 4 * largest && o[axis] * d[axis] < 0)) break;
+    const double t = (size[axis] - 2 * largest) / std::abs(d[axis]) * (1 - 8 * unit);
+    o = fma(d, t, o);
+    skipped += t;
+  }
+  // Limits are drawn together by four roundings: t + skipped, rounded, is then between those given.
+  return {
+      rounded<Real>({o, given.t_min * (1 + 4 * unit) - skipped, d, given.t_max * (1 - 4 * unit) - skipped}),
+      skipped};
 }
 
 // --- Results -----------------------------------------------------------------------------------------------
@@ -146,6 +211,16 @@ template <class Real>
 MASU_HD inline Hit<float> reported(const Hit<Real>& nearest, Real t_max, Real skipped, Real scale) {
   if (!(nearest.t < t_max)) return no_hit();
   return {static_cast<float>((nearest.t + skipped) * scale), nearest.primitive};
+}
+
+// Adds what listed_ray() skipped to the t of so many elements.
+MASU_HD inline void add_skipped(double skipped, const RayResults& results, std::size_t first,
+                                std::uint32_t count) {
+  if (skipped == 0) return;
+  for (std::size_t i = first; i < first + count; ++i) {
+    if (results.t != nullptr) results.t[i] = static_cast<float>(static_cast<double>(results.t[i]) + skipped);
+    if (results.t64 != nullptr) results.t64[i] += skipped;
+  }
 }
 
 template <Query query>

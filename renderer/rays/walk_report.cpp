@@ -266,21 +266,35 @@ private:
   std::uint64_t events_ = 0;
 };
 
+// Of a ray that was traced from where t is `skipped`.
+void add_skipped(double skipped, WalkRay& ray) {
+  ray.t = static_cast<float>(static_cast<double>(ray.t) + skipped);
+  for (WalkStep& step : ray.steps) {
+    step.enter += skipped;
+    step.exit += skipped;
+    for (WalkTest& test : step.tests)
+      test.t += skipped;
+  }
+}
+
 template <class M, class Stored, class Grid>
 void record(const SceneView<Stored>& scene, const Vec3d& origin, const Grid& grid, const WalkRequest& request,
             WalkReport& report) {
   using Real = typename M::Real;
   Ray<double> given = request.ray;
-  if (request.all_rays && std::abs(length(given.direction) - 1) > 1e-6)
-    given.direction = normalized(given.direction);
+  if (request.all_rays)
+    given =
+        unbounded_ray(given.origin, std::abs(length(given.direction) - 1) > 1e-6 ? normalized(given.direction)
+                                                                                 : given.direction);
   RayFormat format = own_format<double>;
   if (!request.is_relative) format.origin = origin;
-  Ray<Real> ray = loaded<Real>(&given, format, 0);
-  if (!is_valid(ray))
+  const Ray<Real> start = loaded<Real>(&given, format, 0);
+  const ListedRay<Real> listed = listed_ray<Real>(&given, format, 0, scene.clip);
+  if (!is_valid(start))
     throw Error(ErrorCode::usage, "walk",
                 "the ray isn't valid: its numbers aren't finite or too large, or its direction is too small");
   if (request.all_rays) {
-    ray = unbounded_ray(ray.origin, ray.direction);
+    const Ray<Real> ray = unbounded_ray(listed.ray.origin, listed.ray.direction);
     RecordedWalk<Real> walk(report, request, 1);
     HitRecord hit{};
     try {
@@ -289,15 +303,16 @@ void record(const SceneView<Stored>& scene, const Vec3d& origin, const Grid& gri
       report.ended_early = true;
     }
   } else {
-    Ray<Real> scaled = ray;
+    Ray<Real> scaled = listed.ray;
     RecordedWalk<Real> walk(report, request, scale_direction(scaled));
-    static_cast<void>(trace_listed<Query::nearest_hit, M>(scene, grid, ray, walk));
-    WalkRay& first = report.rays.front();
-    first.origin = cast<double>(ray.origin);
-    first.direction = cast<double>(ray.direction);
-    first.t_min = static_cast<double>(ray.t_min);
-    first.t_max = ray.t_max < RealTraits<Real>::largest ? static_cast<double>(ray.t_max) : never;
+    static_cast<void>(trace_listed<Query::nearest_hit, M>(scene, grid, listed.ray, walk));
   }
+  WalkRay& first = report.rays.front();
+  add_skipped(listed.skipped, first);
+  first.origin = cast<double>(start.origin);
+  first.direction = cast<double>(start.direction);
+  first.t_min = static_cast<double>(start.t_min);
+  first.t_max = start.t_max < RealTraits<Real>::largest ? static_cast<double>(start.t_max) : never;
   for (WalkRay& traced : report.rays)
     if (traced.primitive != no_primitive) traced.object = surface_of(scene, traced.primitive).object;
 }

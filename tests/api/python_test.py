@@ -1,15 +1,18 @@
 """The Python module on the CPU, with arrays of NumPy. Environment: PYTHONPATH=api/python MASU_LIBRARY=…/libmasu.so."""
 
 import concurrent.futures
+import copy
 import functools
 import gc
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 import tempfile
 import threading
 import unittest
+import warnings
 
 import numpy as np
 
@@ -409,6 +412,15 @@ class Scenes(WithFolder):
         pathlib.Path(obj).write_text("".join("v {} {} {}\n".format(*v) for v in vertices.tolist()) +
                                      "".join("f {} {} {}\n".format(*f) for f in (faces + 1).tolist()))
         same_bits(self, masu.Tracer(masu.load(obj)).nearest(rays), self.tracer().nearest(rays))
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            masu.load(obj)
+            self.assertEqual(said, [])
+            with open(obj, "a") as file:
+                file.write("p 1\nl 1 2\n")
+            same_bits(self, masu.Tracer(masu.load(obj)).nearest(rays), self.tracer().nearest(rays))
+        self.assertEqual([(one.category, one.filename) for one in said], [(UserWarning, __file__)])
+        self.assertEqual(str(said[0].message), obj + ": warning: 2 point(s) and line(s) left out")
         pathlib.Path(obj).write_text("v\n")
         self.assert_refused(masu.Status.INPUT, "mesh.obj", masu.load, obj)
         self.assertRaises(ValueError, masu.load, obj, store="float16")
@@ -637,6 +649,112 @@ class Tracers(WithFolder):
             run_threads([work] * 4 + [close])
 
 
+class Copies(WithFolder):
+    def all_three(self):
+        self.scene(60)
+        return self.made, self.grid, masu.Tracer(self.made, self.grid)
+
+    def test_copies_share_what_they_hold_and_are_closed_each_for_itself(self):
+        rays = random_rays(self.random, 50)
+        for of in range(3):
+            for close in (lambda one: None, lambda one: one.close()):
+                use = (lambda one: one.describe(), lambda one: one.describe(),
+                       lambda one: one.nearest(rays)["t_hit"].tolist())[of]
+                one = self.all_three()[of]
+                expected = use(one)
+                for again in (copy.copy, copy.deepcopy):
+                    again(one).close()
+                    self.assertEqual(use(one), expected)
+                    other = again(one)
+                    self.assertIsInstance(other, type(one))
+                    close(one)
+                    self.assertEqual(use(other), expected)
+                    one = other
+                del other
+                gc.collect()
+                self.assertEqual(use(one), expected)
+                one.close()
+                self.assertRaises(ValueError, copy.copy, one)
+                self.assertRaises(ValueError, use, one)
+
+    def test_what_copies_hold_is_freed_with_the_last_of_them(self):
+        def used():
+            return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+        vertices, faces = random_mesh(self.random, 20000)  # a megabyte
+        for _ in range(40):
+            scene = masu.Scene(vertices, faces)
+            copies = [copy.copy(scene), copy.deepcopy(copy.copy(scene)), pickle.loads(pickle.dumps(scene))]
+            copies[1].close()
+            if _ == 10:
+                before = used()
+        self.assertLess(used(), before + 2e7)
+
+    def test_pickles_go_through_the_bytes_of_files(self):
+        scene, grid, tracer = self.all_three()
+        rays = random_rays(self.random, 50)
+        for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+            for one in (scene, grid):
+                one.write(self.file("a"))
+                pickle.loads(pickle.dumps(one, protocol)).write(self.file("b"))
+                self.assertEqual(pathlib.Path(self.file("a")).read_bytes(), pathlib.Path(self.file("b")).read_bytes())
+        for one in (tracer, masu.Tracer(scene, brute_force=True)):
+            again = pickle.loads(pickle.dumps(one))
+            self.assertEqual(repr(again), repr(one))
+            self.assertNotEqual(again.number, one.number)
+            same_bits(self, again.nearest(rays, fields=masu.FIELDS), one.nearest(rays, fields=masu.FIELDS))
+
+    def test_a_tracer_that_was_moved_says_what_to_do_instead(self):
+        vertices, faces = random_mesh(self.random, 20)
+        scene = masu.Scene(vertices, faces)
+        tracer = masu.Tracer(scene, scene.build(structure="bvh", quality="fast"))
+        twin, apart = copy.copy(tracer), copy.deepcopy(tracer)
+        rays = random_rays(self.random, 50)
+        before = tracer.nearest(rays)
+        self.assertNotEqual(len({each.number for each in (tracer, twin, apart)}), 1)
+        tracer.update(vertices + np.float32([0, 0, 5]))
+        same_bits(self, twin.nearest(rays), tracer.nearest(rays))
+        same_bits(self, apart.nearest(rays), before)
+        for each in (tracer, twin):
+            for again in (copy.deepcopy, pickle.dumps):
+                with self.assertRaisesRegex(TypeError, "make a masu.Scene of the vertices"):
+                    again(each)
+        apart.update(vertices)  # as many vertices as the scene was made of
+
+    def test_scenes_and_intersectors_of_other_names_are_copied(self):
+        meshes = [random_mesh(self.random, count) for count in (30, 20)]
+        rays = random_rays(self.random, 50)
+        scene = masu.RaycastingScene(nthreads=1)
+        scene.add_triangles(*meshes[0])
+        expected = scene.cast_rays(rays)
+        copies = [copy.copy(scene), copy.deepcopy(scene), pickle.loads(pickle.dumps(scene)), masu.RaycastingScene(scene)]
+        for each in copies:
+            same_bits(self, each.cast_rays(rays), expected)
+            self.assertEqual(each.add_triangles(*meshes[1]), 1)
+        same_bits(self, scene.cast_rays(rays), expected)
+        self.assertEqual(repr(scene), "<masu.RaycastingScene on cpu: 1 meshes, 30 triangles>")
+
+        intersector = masu.RayMeshIntersector(Attributes(vertices=meshes[0][0], faces=meshes[0][1]))
+        first = intersector.intersects_first(rays[:, :3], rays[:, 3:])
+        for each in (copy.copy(intersector), copy.deepcopy(intersector), pickle.loads(pickle.dumps(intersector))):
+            np.testing.assert_array_equal(each.intersects_first(rays[:, :3], rays[:, 3:]), first)
+
+    def test_object_masks_outlive_the_closing_of_the_scene(self):
+        scene = masu.Scene(meshes=[random_mesh(self.random, 20) for _ in range(3)])
+        tracer, rays = masu.Tracer(scene), random_rays(self.random, 50)
+        expected = tracer.nearest(rays, object_masks=[1, 0, 1])
+        scene.close()
+        same_bits(self, tracer.nearest(rays, object_masks=[1, 0, 1]), expected)
+        same_bits(self, tracer.closest(rays[:, :3], object_masks=[0, 1, 0]), tracer.closest(rays[:, :3], object_masks=[0, 2, 0]))
+
+
+class Attributes:
+    """An object with these attributes."""
+
+    def __init__(self, **attributes):
+        self.__dict__.update(attributes)
+
+
 class OtherNames(WithFolder):
     """The classes with Open3D's and trimesh's names."""
 
@@ -708,7 +826,7 @@ class OtherNames(WithFolder):
         eye, center, up = np.float64([1, 2, 3]), np.float64([1, 5, 3]), np.float64([0, 0, 2])
         rays = masu.RaycastingScene.create_rays_pinhole(fov_deg=90, center=center, eye=eye, up=up, width_px=width,
                                                         height_px=height)
-        np.testing.assert_array_equal(rays[..., :3], np.broadcast_to(np.float32(eye), (height, width, 3)))
+        np.testing.assert_array_equal(rays[..., :3], np.broadcast_to(eye, (height, width, 3)))
         np.testing.assert_allclose(rays[..., 4], 1, atol=1e-6)
         np.testing.assert_allclose(rays[:, -1, 3] - rays[:, 0, 3], -2 + 2 / width, atol=1e-5)
         self.assertTrue((np.diff(rays[:, 0, 5]) > 0).all())  # rows follow up
@@ -719,12 +837,12 @@ class OtherNames(WithFolder):
         pose = np.eye(4)
         pose[:3, :3], pose[:3, 3] = np.linalg.qr(self.random.normal(size=(3, 3)))[0], self.random.normal(size=3)
         rays = masu.RaycastingScene.create_rays_lidar(pose, elevations, azimuths)
-        self.assertEqual((rays.dtype, rays.shape), (np.float32, (5, 7, 6)))
+        self.assertEqual((rays.dtype, rays.shape), (np.float64, (5, 7, 6)))
         for row, elevation in zip(rays.astype(np.float64), np.deg2rad(elevations)):
             for ray, azimuth in zip(row, np.deg2rad(azimuths)):
                 direction = [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)]
                 np.testing.assert_allclose(ray[3:], sum(pose[:3, axis] * direction[axis] for axis in range(3)), atol=1e-7)
-                np.testing.assert_array_equal(ray[:3], np.float32(pose[:3, 3]))
+                np.testing.assert_array_equal(ray[:3], pose[:3, 3])
         for name, arguments in (("pose", (pose[:3], [0], [0])), ("elevations_deg", (pose, 0, [0])),
                                 ("azimuths_deg", (pose, [0], [[0]]))):
             with self.assertRaisesRegex(ValueError, "^{}: ".format(name)):
@@ -759,13 +877,160 @@ class OtherNames(WithFolder):
         self.assertRaises(ValueError, intersector.intersects_any, origins, directions[1:])
         self.assertRaises(TypeError, masu.RayMeshIntersector, vertices)
 
-    def test_points_in_a_closed_mesh_are_told_from_those_outside(self):
-        class Cube:
-            vertices, faces = cube()
-
+    def test_points_in_a_closed_mesh_are_told_from_those_outside_whichever_way_faces_are_turned(self):
+        vertices, faces = cube()
         points = self.random.uniform(-2, 2, (500, 3))
         points = points[(np.abs(np.abs(points) - 1) > 1e-3).all(1)]
-        np.testing.assert_array_equal(masu.RayMeshIntersector(Cube).contains_points(points), (np.abs(points) < 1).all(1))
+        for turned in (0, len(faces), 3, *self.random.integers(1, len(faces), 3)):
+            some = self.random.permutation(len(faces))[:turned]
+            faces[some] = faces[some, ::-1]
+            contains = masu.RayMeshIntersector(Attributes(vertices=vertices, faces=faces)).contains_points(points)
+            self.assertEqual(contains.dtype, bool)
+            np.testing.assert_array_equal(contains, (np.abs(points) < 1).all(1), str(some))
+
+    def test_made_rays_keep_the_digits_of_what_they_are_made_from(self):
+        scene, intrinsic = masu.RaycastingScene, np.float64([[50, 0, 2], [0, 50, 2], [0, 0, 1]])
+        pose = np.eye(4)
+        pose[:3, 3] = 5.4e6 + self.random.uniform(0, 1, 3)
+        extrinsic = np.linalg.inv(pose)
+        eye = pose[:3, 3]
+        for number in (np.float32, np.float64):
+            made = [scene.create_rays_lidar(pose.astype(number), np.zeros(2, number), np.zeros(2, number)),
+                    scene.create_rays_pinhole(intrinsic.astype(number), extrinsic.astype(number), 4, 4),
+                    scene.create_rays_pinhole(60, (eye + [0, 0, 1]).astype(number), eye.astype(number), np.array([0, 1, 0], number), 4, 4)]
+            for rays in made:
+                self.assertEqual(rays.dtype, number)
+                np.testing.assert_allclose(rays[..., :3], np.broadcast_to(eye, rays[..., :3].shape), rtol=0, atol=2e-9 if number is np.float64 else 1)
+        self.assertEqual(scene.create_rays_lidar(pose.tolist(), [0], [0]).dtype, np.float64)
+        self.assertEqual(scene.create_rays_lidar(np.float32(pose), np.float64([0]), np.float32([0])).dtype, np.float64)
+
+        # Four walls 10 m around a lidar in UTM coordinates.
+        corners = cube()[0].astype(np.float64) * 10 + eye
+        walls = scene()
+        walls.add_triangles(corners, cube()[1])
+        hits = walls.cast_rays(scene.create_rays_lidar(pose, [0], [0, 90, 180, 270]))
+        np.testing.assert_allclose(hits["t_hit"], 10, atol=1e-5)
+        whole = np.int64([[2**24 + 1, 3, 0, 0, 0, 1]])  # float32 has no such number
+        tile = scene()
+        tile.add_triangles(np.float64([[0, 0, 5], [1, 0, 5], [0, 6, 5]]) + [2**24 + 0.75, 0, 0], [[0, 1, 2]])
+        self.assertEqual(tile.cast_rays(whole)["t_hit"].tolist(), [5])
+
+    def test_float64_rays_hit_what_they_are_aimed_at_from_any_distance(self):
+        vertices, faces = cube()
+        for at in (0, 5e6):
+            scene = masu.Scene(vertices + np.float64(at), faces)
+            self.assertFalse(scene.describe().is_float64)
+            tracer = masu.Tracer(scene)
+            for distance in (3, 1e3, 1e5, 1e7, 1e9):
+                away = self.random.normal(size=(200, 3))
+                origins = at + away / np.linalg.norm(away, axis=1)[:, None] * distance
+                targets = at + self.random.uniform(-0.9, 0.9, (200, 3))
+                rays = np.concatenate([origins, targets - origins], 1)
+                hits = tracer.nearest(rays, fields=("t_hit64", "t_hit", "primitive_ids"))
+                exact = tracer.nearest(rays, fields=("t_hit64", "primitive_ids"), precision="double")
+                self.assertTrue((hits["primitive_ids"] >= 0).all(), distance)
+                np.testing.assert_array_equal(hits["t_hit"], hits["t_hit64"].astype(np.float32))
+                # Where float32 has an edge of the cube elsewhere, t may be of its neighbour: as near.
+                np.testing.assert_allclose((hits["t_hit64"] - exact["t_hit64"]) * distance, 0, atol=1e-4 + 1e-15 * (distance + at))
+                self.assertTrue((tracer.count_hits(rays) == 2).all())
+                self.assertTrue(tracer.occluded(rays).all())
+
+    def test_the_neighbours_own_argument_lists_are_understood_by_position(self):
+        vertices, faces = random_mesh(self.random, 100)
+        rays = random_rays(self.random, 100)
+        origins, directions = rays[:, :3], rays[:, 3:]
+        # trimesh.ray.ray_triangle: intersects_id(ray_origins, ray_directions, return_locations, multiple_hits)
+        for intersector in (masu.RayMeshIntersector(Attributes(vertices=vertices, faces=faces)),
+                            masu.RayMeshIntersector(Attributes(vertices=vertices, faces=faces), True)):
+            every = intersector.intersects_id(origins, directions)
+            self.assertEqual(len(every), 2)
+            located = intersector.intersects_id(origins, directions, True)
+            self.assertEqual(len(located), 3)
+            for one, other in zip(every, located):
+                np.testing.assert_array_equal(one, other)
+            first = intersector.intersects_id(origins, directions, False, False)
+            self.assertEqual(len(first), 2)
+            np.testing.assert_array_equal(first[0], intersector.intersects_first(origins, directions)[first[1]])
+            self.assertLess(len(first[0]), len(every[0]))
+            for most in (1, 2, 1000):
+                some = intersector.intersects_id(origins, directions, True, True, most)
+                kept = np.concatenate([np.flatnonzero(every[1] == ray)[:most] for ray in range(100)])
+                for one, other in zip(some, located):
+                    np.testing.assert_array_equal(one, other[kept])
+            np.testing.assert_array_equal(intersector.intersects_location(origins, directions, True)[0], located[2])
+            self.assertEqual(len(intersector.intersects_location(origins, directions, False)[1]), len(first[1]))
+            self.assertEqual(intersector.intersects_any(origins, directions).tolist(), np.isin(np.arange(100), every[1]).tolist())
+            self.assertRaises(ValueError, intersector.intersects_id, origins, directions, False, True, 0)
+        self.assertRaises(TypeError, masu.RayMeshIntersector, Attributes(vertices=vertices, faces=faces), "cpu")
+
+        # open3d.t.geometry.RaycastingScene
+        scene = masu.RaycastingScene(2, "CPU:0")
+        self.assertEqual(scene.add_triangles(vertices, faces), 0)
+        same_bits(self, scene.cast_rays(rays, 1), scene.cast_rays(rays))
+        np.testing.assert_array_equal(scene.test_occlusions(rays, 0.25, 0.75, 1), scene.test_occlusions(rays, tnear=0.25, tfar=0.75))
+        np.testing.assert_array_equal(scene.count_intersections(rays, 1), np.bincount(every[1], minlength=100))
+        same_bits(self, scene.list_intersections(rays, 1), scene.list_intersections(rays))
+        same_bits(self, scene.compute_closest_points(origins, 1), scene.compute_closest_points(origins))
+        for compute in (scene.compute_distance, scene.compute_signed_distance, scene.compute_occupancy):
+            np.testing.assert_array_equal(compute(origins, 1), compute(origins))
+        for compute in (scene.compute_signed_distance, scene.compute_occupancy):
+            np.testing.assert_array_equal(compute(origins, 0, 3), compute(origins))
+        self.assertEqual(scene.create_rays_pinhole(np.eye(3), np.eye(4), 5, 4).shape, (4, 5, 6))
+        self.assertEqual(scene.create_rays_pinhole(60.0, [0, 0, 1], [0, 0, 0], [0, 1, 0], 5, 4).shape, (4, 5, 6))
+
+    def test_rays_of_any_number_of_hits_are_listed(self):
+        count = 66_000
+        vertices = np.tile(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), (count, 1))
+        vertices[:, 2] = np.repeat(self.random.permutation(count) / np.float32(2**17), 3)  # exact
+        faces = np.arange(3 * count, dtype=np.uint32).reshape(-1, 3)
+        rays = np.float32([[0.25, 0.25, -1, 0, 0, 1], [2, 2, -1, 0, 0, 1]])
+        scene, one = masu.RaycastingScene(), masu.Scene(vertices, faces)
+        scene.add_triangles(vertices, faces)
+        scene._tracer = masu.Tracer(one, one.build(structure="bvh", quality="fast"))  # takes less time than the usual one
+        lists = scene.list_intersections(rays)
+        self.assertEqual(lists["ray_splits"].tolist(), [0, count, count])
+        np.testing.assert_array_equal(lists["t_hit"], np.sort(vertices[::3, 2]) + 1)
+        np.testing.assert_array_equal(lists["primitive_ids"], np.argsort(vertices[::3, 2]))
+
+    def test_meshes_of_other_libraries_are_read_or_refused_by_name(self):
+        vertices, faces = random_mesh(self.random, 30)
+        rays = random_rays(self.random, 50)
+        expected = masu.Tracer(masu.Scene(vertices, faces)).nearest(rays)
+        flat = np.column_stack([np.full(len(faces), 3), faces]).ravel()
+
+        class PolyData(Attributes):
+            pass
+
+        class Block(Attributes):
+            pass
+
+        read = (Attributes(vertices=vertices, faces=faces), Attributes(vertices=vertices, triangles=faces),
+                Attributes(vertex={"positions": vertices}, triangle={"indices": faces}),
+                PolyData(points=vertices, faces=flat, strips=np.zeros(0, int)), Attributes(points=vertices, faces=faces),
+                Attributes(points=vertices.astype(float), cells=[
+                    Block(type="vertex", data=[[0]]), Block(type="triangle", data=faces[:20]),
+                    Block(type="line", data=[[0, 1]]), Block(type="triangle", data=faces[20:])]))
+        for mesh in read:
+            scene = masu.RaycastingScene()
+            scene.add_triangles(mesh)
+            for tracer in (masu.Tracer(masu.Scene(mesh)), masu.Tracer(masu.Scene(meshes=[mesh])), scene.tracer,
+                           masu.RayMeshIntersector(mesh).tracer):
+                same_bits(self, tracer.nearest(rays), expected)
+        both = masu.Scene(meshes=[(vertices, faces), read[3], masu.Mesh(vertices, faces)])
+        self.assertEqual(both.describe().objects, 3)
+        refused = ((PolyData(points=vertices, faces=np.append(flat, [4, 0, 1, 2, 3])), "PolyData: .*triangulate"),
+                   (PolyData(points=vertices, faces=flat, strips=np.array([4, 0, 1, 2, 3])), "PolyData: .*triangulate"),
+                   (Attributes(points=vertices, cells=[Block(type="quad", data=[[0, 1, 2, 3]])]), "Attributes: .*quad"),
+                   (Attributes(points=vertices, cells=flat), "Attributes: a mesh with vertices and faces"),
+                   (Attributes(points=vertices), "Attributes: a mesh with vertices and faces"))
+        for mesh, says in refused:
+            for use in (masu.Scene, lambda mesh: masu.Scene(meshes=[mesh]), masu.RaycastingScene().add_triangles,
+                        masu.RayMeshIntersector):
+                with self.assertRaisesRegex(TypeError, says) as raised:
+                    use(mesh)
+                self.assertNotIn("\n", str(raised.exception))
+        self.assertRaises(ValueError, masu.Scene, Attributes(points=vertices[:, :2], faces=faces))
+        self.assertRaises(TypeError, masu.RayMeshIntersector, vertices)
 
 
 class Module(unittest.TestCase):

@@ -345,6 +345,24 @@ TEST_P(CpuAndGpu, ListTheSameHits) {
   }
 }
 
+// Float32 hasn't the digits of these rays.
+TEST_P(CpuAndGpu, FindTheSameFromFarAway) {
+  std::mt19937_64 engine = seed_.engine();
+  const Rendering built = build(Store::float32, GetParam().min_size + 1, "auto");
+  std::vector<Ray<double>> rays = random_rays(built.scene(), 30'000, engine());
+  for (Ray<double>& ray : rays)
+    ray.origin = ray.origin - ray.direction * std::ldexp(1.0, static_cast<int>(engine() % 30));
+  for (const RayLoop loop : {RayLoop::thread_per_ray, RayLoop::warp, RayLoop::warp_refill}) {
+    const RayHits found = expect_same_traced(built, rays, {.loop = loop});
+    EXPECT_TRUE(std::ranges::any_of(found.hits, [](const HitRecord& hit) { return hit.name >= 0; }));
+  }
+  const Tracer cpu = built.tracer(Device::cpu), gpu = built.tracer(Device::cuda);
+  for (const Query query : {Query::nearest_hit, Query::all_hits}) {
+    const RaysRequest request{.query = query, .limit = 3};
+    EXPECT_TRUE(HitLists(cpu, RayList(rays), {}, request) == HitLists(gpu, RayList(rays), {}, request));
+  }
+}
+
 TEST_P(CpuAndGpu, CountTheSame) {
   const Rendering built = build("33x20x5");
   FrameRequest wanted = request(built, 128);

@@ -1,9 +1,11 @@
 // Rays from far away: clipping to the scene's bounds, and their hits.
 #include "libscene/geometry/surface.h"
+#include "renderer/rays/ray_query.h"
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 
 namespace masu {
@@ -199,6 +201,85 @@ TYPED_TEST(FarRay, FindsTheOraclesNearestHit) {
   }
   EXPECT_GT(results[oracle::Result::hit], cases(500));
   EXPECT_GT(results[oracle::Result::miss], cases(500));
+}
+
+// Lists may be stored in float64 and traced in float32.
+using FarListedRay = RandomTest;
+
+TEST_F(FarListedRay, FindsTheOraclesNearestHitFromAnyDistance) {
+  std::map<oracle::Result, std::int64_t> results;
+  std::int64_t moved = 0;
+  for (std::int64_t s = cases(1500); s > 0 && !HasFailure(); --s) {
+    TestScene<float> scene = small_scene<float>(chance_);
+    const SceneView<float> view = scene.view();
+    const Boxd bounds = scene.bounds();
+    for (int i = 0; i < 8; ++i) {
+      const Ray<double> ray = far_ray<double>(chance_, bounds, chance_.one_of({4.0, 30.0, 45.0}));
+      if (largest_magnitude(ray.origin) > 1e14) continue; // not valid in float32
+      const ListedRay<float> listed = listed_ray<float>(&ray, own_format<double>, 0, view.clip);
+      moved += listed.skipped != 0;
+      const auto expected =
+          expect_nearest(oracle::line(ray.origin, ray.direction), scene, rounding_margin<float>(bounds));
+      ++results[expected.result];
+      if (expected.result == oracle::Result::unsure) continue;
+      NoCounts counts;
+      const Hit<float> hit =
+          trace_listed<Query::nearest_hit, Robust<float>>(view, NoGrid{}, listed.ray, counts);
+      const double t = static_cast<double>(hit.t) + listed.skipped;
+      const oracle::Wide rounding = 4 * oracle::Wide(hit.t) * RealTraits<float>::unit_roundoff +
+                                    4 * oracle::Wide(t) * RealTraits<double>::unit_roundoff;
+      expect_agreement(expected, hit.primitive != no_primitive, t, rounding,
+                       [&] { return described(ray.origin, ray.direction); });
+    }
+  }
+  EXPECT_GT(results[oracle::Result::hit], cases(500));
+  EXPECT_GT(results[oracle::Result::miss], cases(500));
+  EXPECT_GT(moved, cases(2000));
+}
+
+TEST_F(FarListedRay, IsTheSameHoweverItsNumbersAreStored) {
+  for (std::int64_t i = cases(100'000); i > 0; --i) {
+    const Boxd bounds = random_bounds<float>(chance_);
+    const Boxf box = cast<float>(padded_bounds<float>(bounds));
+    Ray<float> ray = far_ray<float>(chance_, cast<double>(box), 40);
+    if (chance_.one_in(2)) ray.t_min = static_cast<float>(chance_.power_of_two(-30, 30));
+    if (chance_.one_in(2)) ray.t_max = ray.t_min + static_cast<float>(chance_.power_of_two(-30, 30));
+    const Ray<double> wide = loaded<double>(&ray, own_format<float>, 0);
+    const ListedRay<float> a = listed_ray<float>(&ray, own_format<float>, 0, box),
+                           b = listed_ray<float>(&wide, own_format<double>, 0, box);
+    ASSERT_EQ(b.skipped, 0) << described(ray.origin, ray.direction);
+    ASSERT_EQ(std::memcmp(&a.ray, &ray, sizeof ray), 0) << described(ray.origin, ray.direction);
+    ASSERT_EQ(std::memcmp(&b.ray, &ray, sizeof ray), 0) << described(ray.origin, ray.direction);
+  }
+}
+
+// t as it is reported of whatever float32's arithmetic finds between the limits that it gets.
+TEST_F(FarListedRay, HasLimitsThatLeaveTBetweenThoseGiven) {
+  std::int64_t moved = 0;
+  for (std::int64_t i = cases(100'000); i > 0; --i) {
+    const Boxd bounds = random_bounds<float>(chance_);
+    const Boxf box = cast<float>(padded_bounds<float>(bounds));
+    Ray<double> ray = far_ray<double>(chance_, cast<double>(box), chance_.one_of({2.0, 40.0}));
+    const double there = length(ray.origin) / length(ray.direction);
+    ray.t_min =
+        there * chance_.one_of({0.0, 0.5, chance_.uniform(0.9, 1.1), 1 + chance_.power_of_two(-50, 0)});
+    ray.t_max = std::max(ray.t_min, there) * (1 + chance_.power_of_two(-52, 2));
+    if (largest_magnitude(ray.origin) > 1e14) continue;
+    const auto [traced, skipped] = listed_ray<float>(&ray, own_format<double>, 0, box);
+    if (traced.t_max < 0) continue; // it misses
+    moved += skipped != 0;
+    const auto reported = [skipped = skipped](float t) { return static_cast<double>(t) + skipped; };
+    ASSERT_LT(reported(std::nextafter(traced.t_max, -INFINITY)), ray.t_max)
+        << described(ray.origin, ray.direction);
+    ASSERT_GT(reported(std::nextafter(traced.t_min, INFINITY)), ray.t_min)
+        << described(ray.origin, ray.direction);
+    // And not much less than that.
+    const double error = 8 * (RealTraits<double>::unit_roundoff * ray.t_max +
+                              static_cast<double>(RealTraits<float>::unit_roundoff) * (ray.t_max - skipped));
+    ASSERT_GT(reported(traced.t_max), ray.t_max - error) << described(ray.origin, ray.direction);
+    ASSERT_LT(reported(traced.t_min), ray.t_min + error) << described(ray.origin, ray.direction);
+  }
+  EXPECT_GT(moved, cases(10'000));
 }
 
 // Hit points of a far camera are as accurate as those of a near one.

@@ -1,5 +1,7 @@
 """libmasu.so by ctypes: the structures and functions of masu.h, and its errors as exceptions."""
 
+import contextlib
+import copy
 import ctypes
 import enum
 import operator
@@ -12,7 +14,7 @@ import types
 import weakref
 from ctypes import (CFUNCTYPE, POINTER, byref, c_char_p, c_double, c_float, c_int, c_size_t, c_uint32, c_uint64, c_void_p,
                     py_object)
-from typing import Any, Callable, Generator, List, Optional, Tuple, TypeVar, Union
+from typing import Any, Callable, Generator, Iterator, List, Optional, Tuple, TypeVar, Union
 
 Owned = TypeVar("Owned", bound="Resource")
 
@@ -231,6 +233,15 @@ def folders_of_tools() -> List[pathlib.Path]:
     return [pathlib.Path(__file__).resolve().parent / "bin", folder.parent / "bin", folder.parent.parent / "bin"]
 
 
+@contextlib.contextmanager
+def memory_file(contents: bytes = b"") -> Iterator[Tuple[int, str]]:
+    """A file in memory: its descriptor, and its path in this process."""
+    with open(os.memfd_create("masu"), "w+b") as file:
+        file.write(contents)
+        file.flush()
+        yield file.fileno(), "/proc/self/fd/{}".format(file.fileno())
+
+
 # --- Calls --------------------------------------------------------------------------------------------------------
 
 Progress = Optional[Callable[[float], Any]]  # gets the share of the work that is done
@@ -276,6 +287,8 @@ def call(function: Callable[..., int], *arguments: Any, options: Any = None, pro
 class Held:
     """An object of the library, freed when nobody refers to this one."""
 
+    is_moved = False  # a tracer's: by update()
+
     def __init__(self, free: Callable[[c_void_p], None]) -> None:
         self.pointer = c_void_p()  # to be set; else nothing is freed
         finalizer = weakref.finalize(self, free, self.pointer)
@@ -290,8 +303,8 @@ class Handle(c_void_p):
 
 
 class Resource:
-    """Owns an object of the library until it is closed, or nobody holds it; also a context manager. Threads may use it
-    at the same time."""
+    """Holds an object of the library until it is closed, or nobody refers to it; also a context manager. Threads may use
+    it at the same time. Copies hold the same object, and are closed each for itself."""
 
     _handle: Optional[Handle] = None  # None once it is closed
 
@@ -300,9 +313,21 @@ class Resource:
         held = Held(free)
         call(create, *arguments, byref(held.pointer), options=options, progress=progress)
         self._name = name
+        self._hold(held)
+
+    def _hold(self, held: Held) -> None:
         handle = Handle(held.pointer.value)
         handle.held = held
         self._handle = handle
+
+    def __copy__(self: Owned) -> Owned:
+        copied = type(self).__new__(type(self))
+        copied.__dict__.update(self.__dict__)
+        copied._hold(self._opened().held)
+        return copied
+
+    def __deepcopy__(self: Owned, memo: Any) -> Owned:
+        return copy.copy(self)  # nothing changes what they hold
 
     def close(self) -> None:
         """Waits for calls that run, and gives memory back. Using it afterwards is a ValueError. Within a call that uses it,

@@ -1,9 +1,10 @@
 """trimesh's RayMeshIntersector, by its names."""
 
-from typing import Any, Tuple, Union
+import operator
+from typing import Any, Optional, Tuple, Union
 
 from . import _arrays
-from ._raycasting_scene import hit_lists
+from ._raycasting_scene import crosses_oddly, hit_lists
 from ._scene import Scene, mesh_of
 from ._tracer import Tracer
 
@@ -11,9 +12,11 @@ from ._tracer import Tracer
 class RayMeshIntersector:
     """Rays through one mesh, with the names and results of trimesh.ray's RayMeshIntersector: origins (n, 3), directions
     (n, 3) of any length. mesh has vertices and faces, as a trimesh.Trimesh. Arrays are NumPy's. `tracer` is the
-    masu.Tracer."""
+    masu.Tracer. scale_to_box changes nothing: hits are as accurate at any size."""
 
-    def __init__(self, mesh: Any, device: Union[str, int, Any] = "cpu") -> None:
+    def __init__(self, mesh: Any, scale_to_box: bool = True, *, device: Union[str, int, Any] = "cpu") -> None:
+        if not isinstance(scale_to_box, bool):
+            raise TypeError("scale_to_box: True or False is needed, not {!r}: device is given by name".format(scale_to_box))
         self.mesh = mesh
         self.tracer = Tracer(Scene(meshes=[mesh_of(mesh)]), device=device)
 
@@ -25,14 +28,19 @@ class RayMeshIntersector:
         """The index of the first face that each ray hits, -1 for none."""
         return self.tracer.nearest(_rays(ray_origins, ray_directions))["primitive_ids"].astype("int64")
 
-    def intersects_id(self, ray_origins: Any, ray_directions: Any, multiple_hits: bool = True,
-                      return_locations: bool = False) -> Tuple[Any, ...]:
+    def intersects_id(self, ray_origins: Any, ray_directions: Any, return_locations: bool = False,
+                      multiple_hits: bool = True, max_hits: Optional[int] = None) -> Tuple[Any, ...]:
         """The faces that are hit and the rays that hit them: index_tri, index_ray, and locations if they are asked for. All
-        hits in the rays' order, or the first of each ray alone."""
+        hits in the rays' order, the first max_hits of each ray, or without multiple_hits the first alone. The order of
+        arguments is that of trimesh.ray.ray_triangle; ray_pyembree has another."""
         import numpy as np
         rays = _rays(ray_origins, ray_directions)
         if multiple_hits:
             counts = self.tracer.count_hits(rays)
+            if max_hits is not None:
+                if operator.index(max_hits) < 1:
+                    raise ValueError("max_hits: {} isn't at least 1".format(max_hits))
+                counts = np.minimum(counts, max_hits)
             hits = hit_lists(self.tracer, rays, counts, ("t_hit64", "primitive_ids"))
             ray = np.repeat(np.arange(len(rays)), counts)
         else:
@@ -44,16 +52,16 @@ class RayMeshIntersector:
             return triangle, ray
         return triangle, ray, rays[ray, :3] + hits["t_hit64"][:, None] * rays[ray, 3:]
 
-    def intersects_location(self, ray_origins: Any, ray_directions: Any, multiple_hits: bool = True) -> Tuple[Any, Any, Any]:
+    def intersects_location(self, ray_origins: Any, ray_directions: Any, multiple_hits: bool = True,
+                            max_hits: Optional[int] = None) -> Tuple[Any, Any, Any]:
         """Where rays hit: locations (m, 3), index_ray, index_tri."""
-        triangle, ray, locations = self.intersects_id(ray_origins, ray_directions, multiple_hits, True)
+        triangle, ray, locations = self.intersects_id(ray_origins, ray_directions, True, multiple_hits, max_hits)
         return locations, ray, triangle
 
     def contains_points(self, points: Any) -> Any:
-        """Whether each point (n, 3) is inside the mesh, which must be closed."""
-        import numpy as np
-        points = _vectors("points", points)
-        return self.tracer.inside(np.concatenate([points, np.broadcast_to((0.0, 0.0, 1.0), points.shape)], 1)) == 1
+        """Whether each point (n, 3) is inside the mesh, which must be closed: whether a ray from it crosses the mesh an odd
+        number of times, whichever way its faces are turned."""
+        return crosses_oddly(self.tracer, _vectors("points", points))
 
     def __repr__(self) -> str:
         return "<masu.RayMeshIntersector: {!r}>".format(self.tracer)

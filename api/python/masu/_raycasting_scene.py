@@ -22,10 +22,22 @@ class RaycastingScene:
 
     INVALID_ID = 0xffffffff  # of a miss
 
-    def __init__(self, nthreads: int = 0, device: Union[str, int, Any] = "cpu") -> None:
-        self._nthreads, self._device = nthreads, device
+    def __init__(self, nthreads: Union[int, "RaycastingScene"] = 0, device: Union[str, int, Any] = "cpu") -> None:
+        """RaycastingScene(other) is a copy."""
+        if isinstance(nthreads, RaycastingScene):
+            self.__setstate__(nthreads.__getstate__())
+        else:
+            self.__setstate__({"_nthreads": nthreads, "_device": _device(device), "_meshes": []})
+
+    def __getstate__(self) -> Dict[str, Any]:
+        with self._lock:
+            return {"_nthreads": self._nthreads, "_device": self._device, "_meshes": list(self._meshes)}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self._nthreads: int = state["_nthreads"]
+        self._device: Any = state["_device"]
+        self._meshes: List[Mesh] = state["_meshes"]
         self._lock = threading.RLock()  # a handler of a signal may query while a grid is built
-        self._meshes: List[Mesh] = []
         self._tracer: Optional[Tracer] = None
 
     def add_triangles(self, vertex_positions: Any, triangle_indices: Any = None) -> int:
@@ -100,10 +112,7 @@ class RaycastingScene:
     def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Any:
         """1 for points (..., 3) inside the meshes, which must be closed, else 0: float32."""
         import numpy as np
-        points = _points(query_points)
-        rays = np.zeros(points.shape[:-1] + (6,), points.dtype)
-        rays[..., :3], rays[..., 3] = points, 1
-        return (self.count_intersections(rays, nthreads) % 2).astype(np.float32)
+        return crosses_oddly(self.tracer, _points(query_points), nthreads or self._nthreads).astype(np.float32)
 
     def _numbered(self, hits: Dict[str, Any]) -> Dict[str, Any]:
         """With primitives numbered in their meshes, and the misses' numbers Open3D's."""
@@ -122,22 +131,23 @@ class RaycastingScene:
             create_rays_pinhole(fov_deg, center, eye, up, width_px, height_px)
 
         The matrices are (3, 3), and (4, 4) from the world to the camera. fov_deg is the horizontal angle; as in Open3D,
-        rows follow `up`. Directions have the length 1 along the camera's axis: t_hit is depth."""
+        rows follow `up`. Directions have the length 1 along the camera's axis: t_hit is depth. Rays are float32 if the
+        arrays that they are made of are, else float64: they keep their digits."""
         if len(camera) + len(named) == 4:
             return _pinhole(*camera, **named)
         return _pinhole_at(*camera, **named)
 
     @staticmethod
     def create_rays_lidar(pose: Any, elevations_deg: Any, azimuths_deg: Any) -> Any:
-        """Rays (N, M, 6), float32, of a spinning lidar: a row for each of N elevations, a column for each of M azimuths, in
-        degrees. pose is (4, 4), from the lidar to the world: its rotation, and its position in the last column. The lidar's x
-        points ahead, y to the left, z up: azimuths turn from x to y, elevations rise from that plane. Directions have the
-        length 1: t_hit is range. Open3D has no such function."""
+        """Rays (N, M, 6) of a spinning lidar: a row for each of N elevations, a column for each of M azimuths, in degrees:
+        float32 if all three arrays are, else float64. pose is (4, 4), from the lidar to the world: its rotation, and its
+        position in the last column. The lidar's x points ahead, y to the left, z up: azimuths turn from x to y, elevations
+        rise from that plane. Directions have the length 1: t_hit is range. Open3D has no such function."""
         import numpy as np
         to_world = _vector("pose", pose, (4, 4))
         (level, up), (ahead, left) = _angles("elevations_deg", elevations_deg), _angles("azimuths_deg", azimuths_deg)
         directions = np.stack(np.broadcast_arrays(level[:, None] * ahead, level[:, None] * left, up[:, None]), -1)
-        rays = np.empty(directions.shape[:2] + (6,), np.float32)
+        rays = np.empty(directions.shape[:2] + (6,), _number(pose, elevations_deg, azimuths_deg))
         rays[..., :3], rays[..., 3:] = to_world[:3, 3], directions @ to_world[:3, :3].T
         return rays
 
@@ -159,6 +169,20 @@ def hit_lists(tracer: Tracer, rays: Any, counts: Any, fields: Sequence[str], thr
     return {name: hits[name][are_hits] for name in fields}
 
 
+def crosses_oddly(tracer: Tracer, points: Any, threads: int = 0) -> Any:
+    """Whether a ray from each point (..., 3) crosses the surfaces an odd number of times."""
+    import numpy as np
+    rays = np.zeros(points.shape[:-1] + (6,), points.dtype)
+    rays[..., :3], rays[..., 3] = points, 1
+    return tracer.count_hits(rays, threads=threads) % 2 == 1
+
+
+def _device(device: Any) -> Any:
+    """Open3D's devices are "CPU:0" and "CUDA:0"."""
+    name = str(device)
+    return "cpu" if name == "CPU:0" else name.lower() if name.startswith("CUDA:") else device
+
+
 def _rays(rays: Any) -> Any:
     return _vectors("rays", rays, 6)
 
@@ -172,7 +196,12 @@ def _vectors(name: str, numbers: Any, length: int) -> Any:
     vectors = _arrays.real_numbers(name, numbers)
     if vectors.ndim == 0 or vectors.shape[-1] != length:
         raise ValueError("{}: the shape (..., {}) is needed, not {}".format(name, length, vectors.shape))
-    return vectors if vectors.dtype == np.float64 else vectors.astype(np.float32, copy=False)
+    return vectors if vectors.dtype == np.float32 else vectors.astype(np.float64, copy=False)
+
+
+def _number(*arrays: Any) -> str:
+    """Of what is made of them."""
+    return "float32" if all(str(getattr(array, "dtype", "")).lower().endswith("float32") for array in arrays) else "float64"
 
 
 def _vector(name: str, numbers: Any, shape: Tuple[int, ...]) -> Any:
@@ -192,14 +221,15 @@ def _angles(name: str, degrees: Any) -> Any:
     return np.cos(angles), np.sin(angles)
 
 
-def _pinhole(intrinsic_matrix: Any, extrinsic_matrix: Any, width_px: int, height_px: int) -> Any:
+def _pinhole(intrinsic_matrix: Any, extrinsic_matrix: Any, width_px: int, height_px: int, number: str = "") -> Any:
     import numpy as np
+    number = number or _number(intrinsic_matrix, extrinsic_matrix)
     extrinsic = _vector("extrinsic_matrix", extrinsic_matrix, (4, 4))
     to_world = extrinsic[:3, :3].T
-    directions = (to_world @ np.linalg.inv(_vector("intrinsic_matrix", intrinsic_matrix, (3, 3)))).astype(np.float32)
-    rays = np.empty((height_px, width_px, 6), np.float32)
+    directions = (to_world @ np.linalg.inv(_vector("intrinsic_matrix", intrinsic_matrix, (3, 3)))).astype(number)
+    rays = np.empty((height_px, width_px, 6), number)
     rays[..., :3] = -to_world @ extrinsic[:3, 3]
-    x, y = np.arange(width_px, dtype=np.float32) + np.float32(0.5), np.arange(height_px, dtype=np.float32) + np.float32(0.5)
+    x, y = (np.arange(0.5, pixels, dtype=number) for pixels in (width_px, height_px))
     rays[..., 3:] = x[None, :, None] * directions[:, 0] + y[:, None, None] * directions[:, 1] + directions[:, 2]
     return rays
 
@@ -216,4 +246,5 @@ def _pinhole_at(fov_deg: float, center: Sequence[float], eye: Sequence[float], u
     extrinsic[:3, :3] = right, np.cross(forward, right), forward
     extrinsic[:3, 3] = -extrinsic[:3, :3] @ place
     focal = 0.5 * width_px / math.tan(math.radians(0.5 * fov_deg))
-    return _pinhole([[focal, 0, 0.5 * width_px], [0, focal, 0.5 * height_px], [0, 0, 1]], extrinsic, width_px, height_px)
+    intrinsic = np.array([[focal, 0, 0.5 * width_px], [0, focal, 0.5 * height_px], [0, 0, 1]])
+    return _pinhole(intrinsic, extrinsic, width_px, height_px, _number(center, eye, up))

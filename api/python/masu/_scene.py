@@ -6,13 +6,14 @@ import os
 import pathlib
 import shutil
 import subprocess
+import warnings
 from ctypes import byref, c_double, c_float
 from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
-from . import _arrays
+from . import _arrays, _mesh_objects
 from ._library import (KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, GeometryRecord,
                        GridDescriptionRecord, MeshRecord, Path, PrimitiveRecord, Progress, QuadricsRecord, Resource,
-                       SceneDescriptionRecord, Status, call, check, choice, device_number, folders_of_tools, library,
+                       SceneDescriptionRecord, Status, call, check, choice, device_number, folders_of_tools, library, memory_file,
                        path_bytes, sized)
 
 Vector = Tuple[float, float, float]
@@ -144,15 +145,10 @@ def _quadrics(name: str, given: Any, columns: int) -> Tuple[Any, Any]:
 
 
 def mesh_of(vertices: Any, faces: Any = None) -> Mesh:
-    """Copies of arrays, or without faces, of those that an object has as Open3D's and trimesh's meshes do."""
+    """Copies of arrays, or without faces, of those of another library's mesh."""
     import numpy as np
     if faces is None:
-        if hasattr(vertices, "triangle") and hasattr(vertices, "vertex"):
-            vertices, faces = vertices.vertex["positions"], vertices.triangle["indices"]
-        elif hasattr(vertices, "faces"):
-            vertices, faces = vertices.vertices, vertices.faces
-        else:
-            raise TypeError("a mesh with vertices and faces is needed, not {}".format(type(vertices).__name__))
+        vertices, faces = _mesh_objects.arrays_of(vertices)
     mesh = Mesh(np.array(_arrays.on_host("vertices", vertices)), np.array(_arrays.on_host("faces", faces)))
     _set_mesh(MeshRecord(), mesh, "")  # checks it
     return mesh
@@ -165,6 +161,7 @@ class Scene(Resource):
 
         Scene(vertices, faces)
         Scene(meshes=[(floor_vertices, floor_faces), masu.Mesh(vertices, faces, (1, 0.5, 0.2))])
+        Scene(mesh)  # of Open3D, trimesh, PyVista or meshio; also one of `meshes`
         Scene(spheres=centres_and_radii)
 
     vertices (V, 3) are float32 or float64, faces (F, 3) integers from 0 to V - 1; without faces each three vertices are a
@@ -180,13 +177,16 @@ class Scene(Resource):
     Raises masu.Error; TypeError and ValueError for arrays of other types, shapes and contents."""
 
     def __init__(self, vertices: Any = None, faces: Any = None, color: Color = None, *,
-                 meshes: Optional[Sequence[Union[Mesh, Tuple[Any, ...]]]] = None, spheres: Any = None, cones: Any = None,
+                 meshes: Optional[Sequence[Any]] = None, spheres: Any = None, cones: Any = None,
                  store: str = "auto", origin: Optional[Sequence[float]] = None) -> None:
         if meshes is not None and vertices is not None:
             raise TypeError("Scene: either vertices, or meshes")
         if vertices is None and (faces is not None or color is not None):
             raise TypeError("Scene: faces and color are of vertices; each of meshes has its own")
-        listed = [Mesh(*mesh) for mesh in meshes or ()] if vertices is None else [Mesh(vertices, faces, color)]
+        if faces is None and _mesh_objects.is_mesh_object(vertices):
+            vertices, faces = _mesh_objects.arrays_of(vertices)
+        listed = [Mesh(*(mesh if isinstance(mesh, (tuple, list)) else _mesh_objects.arrays_of(mesh)))
+                  for mesh in meshes or ()] if vertices is None else [Mesh(vertices, faces, color)]
         records = (MeshRecord * len(listed))()
         kept: List[Any] = []
         for index, (mesh, record) in enumerate(zip(listed, records)):
@@ -208,6 +208,9 @@ class Scene(Resource):
         scene = cls.__new__(cls)
         scene._own("scene", library.masu_scene_read, (path_bytes(path),), library.masu_scene_free)
         return scene
+
+    def __reduce__(self) -> Any:
+        return _of_bytes, (type(self), _bytes_of(self))
 
     def write(self, path: Path) -> None:
         """Writes a scene file, whole or not at all."""
@@ -261,7 +264,8 @@ class Scene(Resource):
 def load(path: Path, *, smooth: bool = False, store: str = "auto") -> Scene:
     """A scene of a file: a scene file, NFF (.nff), or a mesh of any format that mesh2bin reads (OBJ, PLY, STL, glTF, …).
     smooth and store are for what is converted: whether normals are interpolated, and the type of coordinates as Scene has
-    it. FileNotFoundError where there is no such file, masu.Error for what can't be read."""
+    it. FileNotFoundError where there is no such file, masu.Error for what can't be read; what the conversion warns of is
+    a UserWarning."""
     os.stat(path)
     with open(path, "rb") as file:
         if file.read(8) == b"MASUSCN\0":
@@ -269,18 +273,18 @@ def load(path: Path, *, smooth: bool = False, store: str = "auto") -> Scene:
     choice("store", store, STORES)
     is_nff = os.fsdecode(path).lower().endswith(".nff")
     options = ["--store", store] + (["--smooth"] if smooth and not is_nff else [])
-    memory = os.memfd_create("scene")  # the tool writes there, so that a damaged mesh can't harm this process
-    try:
-        output = "/proc/self/fd/{}".format(memory)
+    with memory_file() as (memory, output):  # the tool writes there, so that a damaged mesh can't harm this process
         tool = _tool("nff2bin" if is_nff else "mesh2bin", path)
         done = subprocess.run([tool, os.path.abspath(os.fsdecode(path)), "-q", "-o", output] + options, pass_fds=[memory],
                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        lines = [line.split(": ", 1)[-1] for line in done.stderr.decode(errors="replace").splitlines() if line]
         if done.returncode != 0:
-            line = done.stderr.decode(errors="replace").strip().splitlines()[-1:] or ["{} failed".format(tool)]
-            raise Error(Status(done.returncode) if 1 <= done.returncode <= 4 else Status.INPUT, line[0].split(": ", 1)[-1])
+            raise Error(Status(done.returncode) if 1 <= done.returncode <= 4 else Status.INPUT,
+                        lines[-1] if lines else "{} failed".format(tool))
+        for line in lines:
+            if ": warning: " in line:
+                warnings.warn(line, stacklevel=2)
         return Scene._read(output)
-    finally:
-        os.close(memory)
 
 
 def _tool(name: str, path: Path) -> str:
@@ -307,6 +311,13 @@ class Grid(Resource):
         grid = cls.__new__(cls)
         grid._own("grid", create, arguments, library.masu_grid_free, options, progress)
         return grid
+
+    @classmethod
+    def _read(cls, path: Path) -> "Grid":
+        return cls._of(library.masu_grid_read, path_bytes(path))
+
+    def __reduce__(self) -> Any:
+        return _of_bytes, (type(self), _bytes_of(self))
 
     @classmethod
     def _build(cls, scene: Scene, given: "dict[str, Any]") -> "Grid":
@@ -368,4 +379,17 @@ class Grid(Resource):
 def load_grid(path: Path) -> Grid:
     """Reads a grid file. FileNotFoundError where there is none, masu.Error for what can't be read."""
     os.stat(path)
-    return Grid._of(library.masu_grid_read, path_bytes(path))
+    return Grid._read(path)
+
+
+# --- As bytes of files --------------------------------------------------------------------------------------------
+
+def _bytes_of(one: Union[Scene, Grid]) -> bytes:
+    with memory_file() as (_, path):
+        one.write(path)
+        return pathlib.Path(path).read_bytes()
+
+
+def _of_bytes(kind: Any, contents: bytes) -> Any:
+    with memory_file(contents) as (_, path):
+        return kind._read(path)

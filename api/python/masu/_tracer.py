@@ -1,5 +1,6 @@
 """The tracer: a scene and its grid on a device, and queries of them."""
 
+import copy
 import math
 import operator
 import secrets
@@ -68,6 +69,11 @@ def tracer_of(number: int) -> "Tracer":
     return tracer
 
 
+def _made_again(kind: Any, scene: Scene, grid: Optional[Grid], gpus: Tuple[int, ...]) -> "Tracer":
+    made: Tracer = kind(scene, grid, list(gpus) or "cpu", brute_force=grid is None)
+    return made
+
+
 def _gpu_numbers(device: Any) -> Tuple[int, ...]:
     """None for the CPU."""
     if isinstance(device, (list, tuple)):
@@ -111,7 +117,12 @@ class Tracer(Resource):
     **Long calls.** `progress` is a function that gets the share of the work that is done, from 0 to 1, about every tenth of a
     second: of building a grid, or of a query of arrays in host memory. What it raises ends the call, and so does what
     the handler of a signal raises, as KeyboardInterrupt; on a GPU after the million rays that are traced then. close()
-    in a handler that is called within a query is a RuntimeError."""
+    in a handler that is called within a query is a RuntimeError.
+
+    **Copies** by copy.copy() share the tracer, update() moves all of them, and each is closed for itself; so do copies of
+    scenes and grids. copy.deepcopy() makes another tracer of the same scene and grid. Pickling goes through the bytes of
+    files: of a scene that was pickled, update() takes vertices as of one from a file. A tracer that was moved is a
+    TypeError."""
 
     scene: Scene
     grid: Optional[Grid]  # None for brute force
@@ -130,11 +141,32 @@ class Tracer(Resource):
             grid = scene.build(structure="fastest", device=self._gpus[0] if self._gpus else "cpu", for_cpu=not self._gpus,
                                progress=progress)
         self.scene, self.grid = scene, grid
+        self._objects = scene.describe().objects  # the scene may be closed while the tracer lives
         options = sized(TracerOptionsRecord(gpus=(c_int * len(self._gpus))(*self._gpus), gpu_count=len(self._gpus),
                                             brute_force=int(brute_force)))
         self._own("tracer", library.masu_tracer_create, (scene, grid, byref(options)), library.masu_tracer_free, options)
+        self._register()
+
+    def _register(self) -> None:
         self.number = secrets.randbits(62)
         _tracers[self.number] = self
+
+    def __copy__(self) -> "Tracer":
+        copied = super().__copy__()
+        copied._register()
+        return copied
+
+    def __deepcopy__(self, memo: Any) -> "Tracer":
+        scene, grid = self._parts()
+        return _made_again(type(self), copy.copy(scene), copy.copy(grid), self._gpus)
+
+    def __reduce__(self) -> Any:
+        return _made_again, (type(self), *self._parts(), self._gpus)
+
+    def _parts(self) -> Tuple[Scene, Optional[Grid]]:
+        if self._opened().held.is_moved:
+            raise TypeError("a tracer that update() has moved isn't copied or pickled: make a masu.Scene of the vertices")
+        return self.scene, self.grid
 
     @property
     def device(self) -> str:
@@ -162,11 +194,12 @@ class Tracer(Resource):
         if arrays.gpu(vertices, "vertices") is None and stream is not None:
             raise ValueError("stream: it is for vertices on a GPU, and these are in host memory")
         record = sized(VerticesRecord(count=len(vertices)))
-        self._opened()
+        held = self._opened().held
         with arrays.queue(vertices, stream) as record.stream:
             vertices = arrays.packed(vertices, "vertices")
             setattr(record, "values64" if arrays.is_float64(vertices) else "values", arrays.pointer(vertices))
             call(library.masu_tracer_update, self, byref(record))
+        held.is_moved = True
 
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None, relative: bool = False,
@@ -210,14 +243,14 @@ class Tracer(Resource):
                  stream: Any = None, relative: bool = False, threads: int = 0, faces: str = "both",
                  exclude: Any = None, object_masks: Any = None, ray_masks: Any = None,
                  progress: Progress = None) -> Dict[str, Any]:
-        """The first `limit` hits of each ray, from 1 to 65536, in their order: each field of nearest() with a dimension of
+        """The first `limit` hits of each ray, at least 1, in their order: each field of nearest() with a dimension of
         that length after the rays' leading shape, the hits and then misses; and "counts", int32: how many hits there are
         in a row. Other arguments are those of nearest(), but for "fast".
 
         Hits are crossings: where a ray passes an edge or a corner that triangles share, one of those on either side is
         crossed, so that every line crosses a closed mesh as often inwards as outwards, exactly."""
-        if not 1 <= operator.index(limit) <= 65536:
-            raise ValueError("limit: {} isn't from 1 to 65536".format(limit))
+        if not 1 <= operator.index(limit) < 2**31:
+            raise ValueError("limit: {} isn't from 1 to 2147483647".format(limit))
         rows = {name: field._replace(shape=(operator.index(limit),) + field.shape)
                 for name, field in chosen(fields).items()}
 
@@ -290,7 +323,7 @@ class Tracer(Resource):
         self._opened()
         with arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays, name)
-            objects = (self.scene.describe().objects,) if given["object_masks"] is not None else ()
+            objects = (self._objects,) if given["object_masks"] is not None else ()
             filters = {}  # kept until the query is queued
             for each, needed in (("exclude", shape[:-1]), ("ray_masks", shape[:-1]), ("object_masks", objects)):
                 if given.get(each) is None:

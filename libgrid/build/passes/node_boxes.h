@@ -11,14 +11,6 @@
 
 namespace masu {
 
-MASU_HD inline float rounded_down(double value) {
-  const auto rounded = static_cast<float>(value);
-  return rounded > value ? std::nextafter(rounded, -INFINITY) : rounded;
-}
-MASU_HD inline float rounded_up(double value) {
-  return -rounded_down(-value);
-}
-
 // Contains the margin around what is in `bounds`.
 MASU_HD inline Boxf box_around(const Boxd& bounds, double margin) {
   const Boxd box = grown(bounds, margin);
