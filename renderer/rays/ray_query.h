@@ -199,18 +199,18 @@ MASU_HD inline void write_attributes(const HitAttributes& hit, const RayResults&
 template <class TestRay, class Stored>
 MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearHit<TestRay>& near,
                                      const RayResults& results, std::size_t i) {
-  using Real = typename TestRay::Real;
   HitAttributes found;
   const PrimitiveIndex primitive = near.hit.primitive;
   if (primitive != no_primitive) {
     found.object = surface_of(scene, primitive).object;
     found.face = face_of(scene, primitive);
-    found.normal = cast<float>(surface_at<with_all_kinds>(scene, near).normal);
     if (primitive < scene.triangle_count) {
-      const EdgeFunctions<Real> weights =
-          barycentric(prepare_watertight(near.ray), scene.triangles[primitive]);
-      found.u = static_cast<float>(weights.b);
-      found.v = static_cast<float>(weights.c);
+      const TriangleHit hit = triangle_hit(near.ray, near.hit.t, scene.triangles[primitive]);
+      found.normal = cast<float>(hit.normal);
+      found.u = static_cast<float>(hit.u);
+      found.v = static_cast<float>(hit.v);
+    } else {
+      found.normal = cast<float>(surface_at<with_spheres | with_cones>(scene, near).normal);
     }
   }
   write_attributes(found, results, i);
