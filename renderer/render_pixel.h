@@ -94,6 +94,12 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Arrival<
                                   const Vec3<Real>& direction, const Occluded& occluded, Counts& counts) {
   const auto& [point, side, material] = at;
   const Vec3f diffuse = material.color * material.diffuse;
+  // A light may lie on a surface, which doesn't hide it: shadow rays end short of it by the error bound of a
+  // hit (margin.h), and by more than storing moves the two (√3 u M each; what more it is along a ray that
+  // isn't perpendicular).
+  constexpr Real roundings = margin_roundings * RealTraits<Real>::unit_roundoff +
+                             16 * static_cast<Real>(RealTraits<Stored>::unit_roundoff);
+  const Real short_of_light = roundings * largest_magnitude(cast<Real>(scene.clip));
   Vec3f light = diffuse * scene.ambient;
   for (std::uint32_t i = 0; i < scene.light_count; ++i) {
     const Vec3<Real> position = cast<Real>(scene.lights[i].position);
@@ -104,7 +110,7 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Arrival<
     const Real distance = length(path);
     if (!(distance > 0)) continue;
     const Vec3<Real> l = path * (1 / distance);
-    const bool is_dark = occluded(Ray<Real>{origin, 0, l, distance});
+    const bool is_dark = occluded(Ray<Real>{origin, 0, l, distance - short_of_light});
     counts.shadow_ray(is_dark);
     if (is_dark) continue;
     const Real cosine = max(dot(side.shading, l), Real(0));
