@@ -22,6 +22,7 @@ struct RenderRules {
   std::int32_t depth; // of the last ray that is traced; the camera's is 1; at most largest_depth; 0: unshaded
   bool spd_rules;     // a surface with Ks > 0 or T > 0 reflects even where that can't be seen
   HitName hit_name;
+  float offset = 1; // of secondary rays, in error bounds of the points that they leave
 };
 
 // What a camera ray hit: t, and the name of the object or primitive; infinity and -1 for nothing.
@@ -80,10 +81,11 @@ struct Arrival {
   Material material;
 };
 template <class M, class Stored>
-MASU_HD inline Arrival<typename M::Real> arrival(const SceneView<Stored>& scene,
+MASU_HD inline Arrival<typename M::Real> arrival(const SceneView<Stored>& scene, const RenderRules& rules,
                                                  const NearHit<typename M::TestRay>& hit,
                                                  const Vec3<typename M::Real>& direction) {
-  const SurfacePoint<typename M::Real> point = surface_at<M::kinds>(scene, hit);
+  SurfacePoint<typename M::Real> point = surface_at<M::kinds>(scene, hit);
+  point.error *= static_cast<typename M::Real>(rules.offset);
   return {point, facing(point, direction), scene.materials[point.material]};
 }
 
@@ -206,7 +208,7 @@ MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, 
     const auto hit =
         nearest_hit_near<M>(scene, grid, unbounded_ray(tree.ray.origin, tree.ray.direction), counts);
     const auto occluded = [&](const Ray<Real>& ray) { return is_occluded<M>(scene, grid, ray, counts); };
-    const auto arrive = [&] { return arrival<M>(scene, hit, tree.ray.direction); };
+    const auto arrive = [&] { return arrival<M>(scene, rules, hit, tree.ray.direction); };
     if (!follow(scene, rules, hit, tree, first_hit, arrive, occluded, counts)) return tree.light;
   }
 }

@@ -18,10 +18,11 @@ struct ViewPrecision {
 
 // Doubled where at the nearest surface of the picture robust's error across a ray may be more than a
 // sixteenth of a pixel: nearer than that its errors can be seen. Doubled as well where more than a few rays
-// of a sample see other colours by robust, as through sheets that lie closer to each other than the offset of
-// secondary rays. Else robust. The sample (Sampling::sparse) is shaded as the request says, in double and,
-// where the bound doesn't decide, in robust. Independent of the grid and of the device, and of the part of
-// the picture that is traced.
+// of a sample see other colours by robust with an enlarged offset of secondary rays: as through sheets that
+// lie closer to each other than that, and where surfaces are within the error of each other. Else robust. The
+// sample (Sampling::sparse) is shaded as the request says, in double and, where the bound doesn't decide, in
+// robust. Independent of the grid, of the device but for what pow() rounds differently there, and of the part
+// of the picture that is traced.
 ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request);
 
 // Of a picture: the requested one, or for automatic its view's.
