@@ -20,10 +20,14 @@ oracle::Wide volume(const Triangle<Real>& t, const Vec3<Real>& direction) {
                                                                oracle::point(t.c) - oracle::point(t.a)));
 }
 
-// Coordinates of so few bits that 113 hold a product of three exactly.
+// Multiples of 2^-28, and numbers of type float: 113 bits hold sums of their products of three exactly.
 template <class Real>
 Vec3<Real> of_few_bits(const Vec3<Real>& v) {
-  return cast<Real>(cast<float>(v));
+  const auto rounded = [](Real value) {
+    return static_cast<Real>(
+        static_cast<float>(std::nearbyint(static_cast<double>(value) * 0x1p28) * 0x1p-28));
+  };
+  return {rounded(v.x), rounded(v.y), rounded(v.z)};
 }
 
 // Edge-on, nearly so, and whose corners are on a line, or nearly.
@@ -51,10 +55,10 @@ TYPED_TEST(TriangleHits, TheSideThatIsMetIsExact) {
     (exact < 0 ? fronts : exact > 0 ? backs : none) += 1;
     const oracle::Wide size =
         oracle::norm(oracle::point(direction)) * oracle::Wide(length(along)) * oracle::Wide(length(other));
-    close += exact != 0 && oracle::magnitude(exact) < 1e-15 * size ? 1 : 0;
+    close += exact != 0 && oracle::magnitude(exact) < 1e-12 * size ? 1 : 0;
   }
   for (const int count : {fronts, backs, none, close})
-    EXPECT_GT(count, cases(1000));
+    EXPECT_GT(count, cases(200));
 }
 
 TYPED_TEST(TriangleHits, NormalsAndWeightsOfSliversAreRight) {
