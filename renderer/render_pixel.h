@@ -22,6 +22,7 @@ struct RenderRules {
   std::int32_t depth; // of the last ray that is traced; the camera's is 1; at most largest_depth; 0: unshaded
   bool spd_rules;     // a surface with Ks > 0 or T > 0 reflects even where that can't be seen
   HitName hit_name;
+  float offset = 1; // of secondary rays, in error bounds of the points that they leave
 };
 
 // What a camera ray hit: t, and the name of the object or primitive; infinity and -1 for nothing.
@@ -80,10 +81,11 @@ struct Arrival {
   Material material;
 };
 template <class M, class Stored>
-MASU_HD inline Arrival<typename M::Real> arrival(const SceneView<Stored>& scene,
+MASU_HD inline Arrival<typename M::Real> arrival(const SceneView<Stored>& scene, const RenderRules& rules,
                                                  const NearHit<typename M::TestRay>& hit,
                                                  const Vec3<typename M::Real>& direction) {
-  const SurfacePoint<typename M::Real> point = surface_at<M::kinds>(scene, hit);
+  SurfacePoint<typename M::Real> point = surface_at<M::kinds>(scene, hit);
+  point.error *= static_cast<typename M::Real>(rules.offset);
   return {point, facing(point, direction), scene.materials[point.material]};
 }
 
@@ -94,6 +96,12 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Arrival<
                                   const Vec3<Real>& direction, const Occluded& occluded, Counts& counts) {
   const auto& [point, side, material] = at;
   const Vec3f diffuse = material.color * material.diffuse;
+  // A light may lie on a surface, which doesn't hide it: shadow rays end short of it by the error bound of a
+  // hit (margin.h), and by more than storing moves the two (√3 u M each; what more it is along a ray that
+  // isn't perpendicular).
+  constexpr Real roundings = margin_roundings * RealTraits<Real>::unit_roundoff +
+                             16 * static_cast<Real>(RealTraits<Stored>::unit_roundoff);
+  const Real short_of_light = roundings * largest_magnitude(cast<Real>(scene.clip));
   Vec3f light = diffuse * scene.ambient;
   for (std::uint32_t i = 0; i < scene.light_count; ++i) {
     const Vec3<Real> position = cast<Real>(scene.lights[i].position);
@@ -104,7 +112,7 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Arrival<
     const Real distance = length(path);
     if (!(distance > 0)) continue;
     const Vec3<Real> l = path * (1 / distance);
-    const bool is_dark = occluded(Ray<Real>{origin, 0, l, distance});
+    const bool is_dark = occluded(Ray<Real>{origin, 0, l, distance - short_of_light});
     counts.shadow_ray(is_dark);
     if (is_dark) continue;
     const Real cosine = max(dot(side.shading, l), Real(0));
@@ -200,7 +208,7 @@ MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, 
     const auto hit =
         nearest_hit_near<M>(scene, grid, unbounded_ray(tree.ray.origin, tree.ray.direction), counts);
     const auto occluded = [&](const Ray<Real>& ray) { return is_occluded<M>(scene, grid, ray, counts); };
-    const auto arrive = [&] { return arrival<M>(scene, hit, tree.ray.direction); };
+    const auto arrive = [&] { return arrival<M>(scene, rules, hit, tree.ray.direction); };
     if (!follow(scene, rules, hit, tree, first_hit, arrive, occluded, counts)) return tree.light;
   }
 }

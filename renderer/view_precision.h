@@ -11,14 +11,18 @@ namespace masu {
 struct ViewPrecision {
   Precision precision = Precision::robust; // or doubled
   bool is_stored = false;                  // doubled, since the scene's store leaves no choice
-  double error_bound = 0;                  // of robust across a ray (margin.h), in scene units
-  double pixel = 0; // a pixel's side at the nearest surface in the picture; infinity where there is none
+  double error = 0;  // of robust across a ray at the nearest surface, at most, in scene units
+  double pixel = 0;  // a pixel's side there; infinity where there is no surface
+  int differing = 0; // of the sample's rays: their colours aren't those of double
 };
 
-// Robust where its error bound across a ray is at most a sixteenth of a pixel at the nearest surface that a
-// sample of camera rays meets, else doubled: nearer than that its errors can be seen. The sample
-// (Sampling::sparse) is traced in double; where the distance of the scene's bounds decides already, none is.
-// Independent of the grid and of the device, and of the part of the picture that is traced.
+// Doubled where at the nearest surface of the picture robust's error across a ray may be more than a
+// sixteenth of a pixel: nearer than that its errors can be seen. Doubled as well where more than a few rays
+// of a sample see other colours by robust with an enlarged offset of secondary rays: as through sheets that
+// lie closer to each other than that, and where surfaces are within the error of each other. Else robust. The
+// sample (Sampling::sparse) is shaded as the request says, in double and, where the bound doesn't decide, in
+// robust. Independent of the grid, of the device but for what pow() rounds differently there, and of the part
+// of the picture that is traced.
 ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request);
 
 // Of a picture: the requested one, or for automatic its view's.
@@ -27,7 +31,7 @@ inline Precision picture_precision(const Tracer& tracer, const FrameRequest& req
   return wanted == Precision::automatic ? view_precision(tracer, request).precision : wanted;
 }
 
-// "robust", or "double: …" with the reason.
+// "robust: …" or "double: …", with the reason.
 std::string description_of(const ViewPrecision& chosen);
 
 } // namespace masu

@@ -25,6 +25,7 @@
 #pragma once
 
 #include "libscene/geometry/intersect.h"
+#include "libscene/geometry/orientation.h"
 
 namespace masu {
 
@@ -77,7 +78,9 @@ MASU_HD inline bool crosses(const WatertightRay<Real>& ray, const Triangle<Store
 
 // Calls act(t, front) for each hit with the primitive at a t > 0, in their order along the ray: a triangle
 // has at most one, a sphere or a cone two, or one where only the inside is visible. `front`: the front is
-// met, of a sphere or a cone the outside; where only the inside is visible that is the front.
+// met, of a sphere or a cone the outside; where only the inside is visible that is the front. Of a triangle
+// by the half-open rule it is the side that the moved point sees, whose sum over a closed mesh is right;
+// for a sliver that may not be the side that is met (side_met).
 template <unsigned kinds, class TestRay, class Stored, class Act>
 MASU_HD inline void each_hit(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
                              EdgeRule rule, const Act& act) {
@@ -90,10 +93,7 @@ MASU_HD inline void each_hit(const SceneView<Stored>& scene, const TestRay& ray,
     if (rule == EdgeRule::half_open) {
       met = crosses(watertight, triangle, t, front);
     } else if (intersect(watertight, triangle, t)) {
-      const Vec3<Real>& o = ray.origin;
-      const EdgeFunctions<Real> e = edge_functions(watertight, cast<Real>(triangle.a) - o,
-                                                   cast<Real>(triangle.b) - o, cast<Real>(triangle.c) - o);
-      front = e.a + e.b + e.c > 0;
+      front = meets_front(ray.direction, triangle);
       met = true;
     }
     if (met && t > 0) act(t, front);
@@ -114,6 +114,13 @@ MASU_HD inline void each_hit(const SceneView<Stored>& scene, const TestRay& ray,
                                          if (t > 0) act(t, front);
                                          return false;
                                        });
+}
+
+// Whether the front is met, exactly; `front`: what each_hit() says.
+template <class Real, class Stored>
+MASU_HD inline bool side_met(const SceneView<Stored>& scene, const PreparedRay<Real>& ray,
+                             PrimitiveIndex primitive, bool front) {
+  return primitive < scene.triangle_count ? meets_front(ray.direction, scene.triangles[primitive]) : front;
 }
 
 } // namespace masu

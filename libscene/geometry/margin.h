@@ -20,7 +20,9 @@
 //  - Traversal (libgrid/trace/walk.h): the distance of plane i along the ray is one fma of two factors, each
 //    rounded three times: below 14 u M along that axis; the voxel reached at an exit is another fma, below
 //    14 u M too.
-// 128 u M covers their sum. The space that is divided, and the box that rays are clipped to, extend twice
+// What moves a ray before it is traced moves it for every grid alike: grids need the tests' and the
+// traversal's sum, below 117 u M. A hit lies within the sum of all but the traversal's, below 113 u M, of the
+// surface. 128 u M covers either. The space that is divided, and the box that rays are clipped to, extend twice
 // that beyond the bounds: so a hit on a face of the bounds, and the traversal to it, stay inside, and flat
 // scenes get a thickness.
 #pragma once

@@ -7,17 +7,29 @@
 #pragma once
 
 #include "libscene/geometry/clip.h"
+#include "libscene/geometry/closest_point.h"
 #include "libscene/geometry/intersect.h"
 #include "libscene/geometry/surface_point.h"
 #include "libscene/geometry/textbook_surface.h"
 
 namespace masu {
 
-// For a primitive whose coordinates are at most `extent`: subtracting the ray's origin from a vertex and
-// projecting it moves it by less than 60 u extent (see margin.h); the point's own error is 4 u extent.
+// How far off a surface its secondary rays start. `extent`: of the primitive's coordinates the largest,
+// `size`: its own; so the errors of a small primitive far from zero are little more than those of its
+// coordinates. In units of u, with lengths of vectors by their largest component or √3 of that:
+//  - Triangle: the point is off by the weights' sum and three roundings, 6 √3 extent at most, its offset by
+//    two more, 2 √3 extent. In the next test of it, corners within `size` of the origin are moved across the
+//    ray by 4 (subtracting them and a dot product) and along it by 4, 3 (weighting) and 6 (weights) of their
+//    distance √3 size. Off the plane that makes √(4² + 13²) √3 size at most, since across and along the ray
+//    count by sine and cosine of one angle. What a dot product's own vector is off by turns the ray a little
+//    about its origin, which stays on its side of the plane. A common factor of t leaves it its sign.
+//  - Sphere: the point and its offset are rounded once each, 2 √3 extent; the radius, its direction and the
+//    next test, all of vectors as long as the radius, make less than 16 of it.
+//  - Cone: the same of the point; 60 of what is rounded in the test (margin.h), which is the cone's size, or
+//    its extent where that is less.
 template <class Real>
-MASU_HD inline Real surface_error(Real extent) {
-  return 64 * RealTraits<Real>::unit_roundoff * extent;
+MASU_HD inline Real surface_error(Real of_extent, Real extent, Real of_size, Real size) {
+  return RealTraits<Real>::unit_roundoff * fma(of_extent, extent, of_size * size);
 }
 
 template <class Real>
@@ -41,6 +53,28 @@ MASU_HD inline EdgeFunctions<Real> barycentric(const WatertightRay<Real>& ray,
              : EdgeFunctions<Real>{third, third, third};
 }
 
+// What is reported of a hit on a triangle, in double whatever arithmetic found it: a sliver's normal and
+// weights are lost to float32.
+struct TriangleHit {
+  Vec3d normal; // of unit length, on the front; against the ray where the corners are on a line
+  double u, v;  // weights of b and c, from 0 to 1
+};
+template <class Real, class Stored>
+MASU_HD inline TriangleHit triangle_hit(const PreparedRay<Real>& ray, Real t,
+                                        const Triangle<Stored>& stored) {
+  const Triangle<double> triangle = widened(stored);
+  WatertightRay<double> line{};
+  prepare(line, cast<double>(ray.origin), cast<double>(ray.direction));
+  const Vec3d across = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  const Vec3d normal = normalized(largest_magnitude(across) > 0 ? across : -line.direction);
+  const EdgeFunctions<double> weights = barycentric(line, triangle);
+  if (min(weights.a, min(weights.b, weights.c)) >= 0) return {normal, weights.b, weights.c};
+  // Met within the error bound: at what is closest.
+  const ClosestPoint closest =
+      closest_point(triangle, fma(line.direction, static_cast<double>(t), line.origin));
+  return {normal, closest.weight_b, closest.weight_c};
+}
+
 template <class Real, class Stored>
 MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const WatertightRay<Real>& ray,
                                              Real, const Triangle<Stored>& triangle) {
@@ -59,7 +93,10 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
     // Opposite normals may sum to zero.
     if (largest_magnitude(between) > 0) point.shading = normalized(between);
   }
-  point.error = surface_error(max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c))));
+  const Real extent = max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c)));
+  const Real size = max(largest_magnitude(b - a), max(largest_magnitude(c - a), largest_magnitude(c - b)));
+  point.error = surface_error(Real(16), extent, Real(24), size);
+  point.is_flat = true;
   point.material = static_cast<std::uint32_t>(triangle.material);
   return point;
 }
@@ -82,7 +119,7 @@ MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real 
   point.position = fma(outwards, radius, center);
   point.normal = sphere.radius < 0 ? -outwards : outwards;
   point.shading = point.normal;
-  point.error = surface_error(largest_magnitude(center) + radius);
+  point.error = surface_error(Real(4), largest_magnitude(center) + radius, Real(16), radius);
   return point;
 }
 
@@ -119,9 +156,9 @@ MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real 
   point.position = c.base + fma(away, radius, c.axis * z);
   point.normal = is_inside_out(cone) ? -outwards : outwards;
   point.shading = point.normal;
-  point.error =
-      surface_error(max(largest_magnitude(cast<Real>(cone.base)), largest_magnitude(cast<Real>(cone.apex))) +
-                    max(c.base_radius, c.base_radius + c.growth));
+  const Real widest = max(c.base_radius, c.base_radius + c.growth);
+  const Real extent = max(largest_magnitude(c.base), largest_magnitude(cast<Real>(cone.apex))) + widest;
+  point.error = surface_error(Real(4), extent, Real(60), min(length(c.axis) + widest, extent));
   return point;
 }
 

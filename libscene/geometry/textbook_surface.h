@@ -11,7 +11,7 @@ namespace masu {
 inline constexpr float textbook_epsilon = 1e-4F;
 
 MASU_HD inline SurfacePoint<float> textbook_point(const TextbookRay& ray, float t, const Vec3f& normal) {
-  return {fma(ray.direction, t, ray.origin), normal, normal, textbook_epsilon, 0};
+  return {fma(ray.direction, t, ray.origin), normal, normal, textbook_epsilon, 0, false};
 }
 
 template <class Stored>

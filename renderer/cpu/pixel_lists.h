@@ -87,7 +87,7 @@ private:
       Pixel& pixel = pixels_[i];
       if (pixel.hit.hit.primitive == no_primitive) continue;
       const Vec3f& direction = pixel.tree.ray.direction;
-      pixel.at = arrival<M>(scene_, pixel.hit, direction);
+      pixel.at = arrival<M>(scene_, rules_, pixel.hit, direction);
       direct_light(scene_, pixel.at, direction, add, counts);
     }
     dark_.assign(rays_.size(), 0);

@@ -52,12 +52,27 @@ MASU_HD inline Ray<Real> rounded(const Ray<double>& ray) {
             rounded_up(ray.t_max)};
 }
 
+// A float32 limit in float64: halfway to the next number on the inside, for a t that rounds to the limit
+// isn't between the limits.
+MASU_HD inline double upper_limit(float t) {
+  return t > 0 ? (static_cast<double>(t) + static_cast<double>(next_below(t))) / 2 : static_cast<double>(t);
+}
+MASU_HD inline double lower_limit(float t) {
+  return t > 0 ? (static_cast<double>(t) + static_cast<double>(next_above(t))) / 2 : static_cast<double>(t);
+}
+MASU_HD inline double upper_limit(double t) {
+  return t;
+}
+MASU_HD inline double lower_limit(double t) {
+  return t;
+}
+
 // Ray i of a list, relative to the scene's origin.
 MASU_HD inline Ray<double> in_float64(const void* rays, const RayFormat& format, std::size_t i) {
   const std::size_t first = i * static_cast<std::size_t>(format.numbers);
   const auto converted = [&](const auto& ray) {
-    return Ray<double>{cast<double>(ray.origin) - format.origin, static_cast<double>(ray.t_min),
-                       cast<double>(ray.direction), static_cast<double>(ray.t_max)};
+    return Ray<double>{cast<double>(ray.origin) - format.origin, lower_limit(ray.t_min),
+                       cast<double>(ray.direction), upper_limit(ray.t_max)};
   };
   return format.is_float64
              ? converted(loaded_numbers(static_cast<const double*>(rays) + first, format.numbers))
@@ -274,18 +289,18 @@ MASU_HD inline void write_attributes(const HitAttributes& hit, const RayResults&
 template <class TestRay, class Stored>
 MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearHit<TestRay>& near,
                                      const RayResults& results, std::size_t i) {
-  using Real = typename TestRay::Real;
   HitAttributes found;
   const PrimitiveIndex primitive = near.hit.primitive;
   if (primitive != no_primitive) {
     found.object = surface_of(scene, primitive).object;
     found.face = face_of(scene, primitive);
-    found.normal = cast<float>(surface_at<with_all_kinds>(scene, near).normal);
     if (primitive < scene.triangle_count) {
-      const EdgeFunctions<Real> weights =
-          barycentric(prepare_watertight(near.ray), scene.triangles[primitive]);
-      found.u = static_cast<float>(weights.b);
-      found.v = static_cast<float>(weights.c);
+      const TriangleHit hit = triangle_hit(near.ray, near.hit.t, scene.triangles[primitive]);
+      found.normal = cast<float>(hit.normal);
+      found.u = static_cast<float>(hit.u);
+      found.v = static_cast<float>(hit.v);
+    } else {
+      found.normal = cast<float>(surface_at<with_spheres | with_cones>(scene, near).normal);
     }
   }
   write_attributes(found, results, i);

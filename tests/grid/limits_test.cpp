@@ -1,7 +1,7 @@
 // A ray's t_min and t_max are compared with t as it is reported, which doesn't depend on them: through every
 // structure and none, of every primitive, and for every query.
 #include "libgrid/trace/hits_in_order.h"
-#include "renderer/counts.h"
+#include "renderer/rays/ray_query.h"
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
@@ -98,6 +98,40 @@ TYPED_TEST(RayLimits, AreComparedWithTheReportedT) {
   }
   EXPECT_GT(beyond, 500U);
   EXPECT_GT(between, 500U);
+}
+
+using ListedLimits = RandomTest;
+
+// Of a list in float32 t is float32, too, whatever the arithmetic.
+TEST_F(ListedLimits, OfFloat32AreComparedWithTAsFloat32) {
+  std::size_t hits = 0, again = 0;
+  for (std::int64_t s = cases(300); s > 0; --s) {
+    TestScene<double> scene = SceneMaker<double>(chance_, chance_.power_of_two(-10, 20)).scene();
+    if (scene.count() == 0) continue;
+    const SceneView<double> view = scene.view();
+    const Boxd bounds = scene.bounds();
+    const Grid hierarchy = hierarchy_of(scene);
+    RayMaker<double> rays(chance_, scene, bounds, hierarchy);
+    for (int r = 0; r < 40; ++r) {
+      const Ray<double> made = rays.ray();
+      Ray<float> ray{cast<float>(made.origin), 0, cast<float>(made.direction), INFINITY};
+      const auto traced = [&] {
+        NoCounts counts;
+        const Ray<double> loaded = masu::loaded<double>(&ray, own_format<float>, 0);
+        return trace_listed<Query::nearest_hit, Robust<double>>(view, NoGrid{}, loaded, counts);
+      };
+      const Hit<float> first = traced();
+      if (first.primitive == no_primitive) continue;
+      (chance_.one_in(2) ? ray.t_min : ray.t_max) = first.t;
+      const Hit<float> second = traced();
+      ++hits;
+      again += second.primitive != no_primitive;
+      ASSERT_TRUE(second.primitive == no_primitive || (ray.t_min < second.t && second.t < ray.t_max))
+          << described(made.origin, made.direction) << ' ' << described(second.t);
+    }
+  }
+  EXPECT_GT(hits, 500U);
+  EXPECT_GT(again, 50U);
 }
 
 } // namespace

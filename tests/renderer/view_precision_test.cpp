@@ -1,12 +1,13 @@
-// `--precision auto` follows the view: float32's errors are never seen, and double is taken nowhere else.
+// `--precision auto` follows the view: float32's errors are never seen, and double is hardly taken elsewhere.
 #include "renderer/view_precision.h"
 
 #include "libscene/nff/nff.h"
-#include "tests/picture_scenes.h"
+#include "tests/fine_scenes.h"
 #include "tests/random_test.h"
 #include "tests/rendering.h"
 #include "tests/spd_text.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,8 +49,9 @@ TEST_F(ViewPrecisions, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
     add_quad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
     add_sphere(scene, {0.25, 0, distance + 1}, 0.5, matte({1, 1, 1})); // behind the camera
     const Rendering rendering(scene, Store::float32);
-    const double bound = rounding_margin<float>(rendering.scene().bounds()) / 4;
-    const double pixel = 2 * std::tan(15 * std::numbers::pi / 180) / 100 * distance;
+    const double reach = std::tan(15 * std::numbers::pi / 180), pixel = 2 * reach / 100 * distance;
+    const double bound = rounding_margin<float>(rendering.scene().bounds()) / 4 +
+                         0x1p-24 * (5 + 6 * std::sqrt(2.0) * reach) * distance;
     const Tracer tracer = rendering.tracer();
     FrameRequest request = rendering.request();
     const ViewPrecision chosen = view_precision(tracer, request);
@@ -63,6 +65,77 @@ TEST_F(ViewPrecisions, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
     request.tracing.precision = chosen.precision;
     expect_same_frames(rendering.frame(request), part);
   }
+}
+
+// Of each kind of error that pictures show: what is taken has no more pixels off than one in a thousand.
+TEST_F(ViewPrecisions, PicturesOfFineThingsAreRight) {
+  constexpr std::int32_t side = 128;
+  const auto check = [&](const char* name, double parameter, const Scene& scene) {
+    const Rendering rendering(scene, Store::float32);
+    const Frame exact = picture(rendering, Precision::doubled);
+    FrameRequest request = rendering.request();
+    request.tracing.count = false;
+    const ViewPrecision chosen = view_precision(rendering.tracer(), request);
+    const double robust = pixels_off(picture(rendering, Precision::robust), exact);
+    testing::Test::RecordProperty(fmt::format("{}_{:g}", name, parameter),
+                                  fmt::format("robust {}, {}", robust, description_of(chosen)));
+    EXPECT_TRUE(chosen.precision == Precision::doubled || robust <= 1e-3)
+        << name << ' ' << parameter << ": " << robust << "; " << description_of(chosen);
+    return chosen.precision;
+  };
+  for (const double distance : {1.0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e9}) {
+    const Precision chosen = check("afar", distance, seen_from_afar(chance_, distance, side));
+    EXPECT_EQ(chosen, distance < 1e4 ? Precision::robust : Precision::doubled) << distance;
+  }
+  for (const double gap : {1e-3, 1e-5, 1e-6, 1e-7, 1e-8}) {
+    check("stripes", gap, covered(chance_, gap, false, side));
+    check("sheets", gap, covered(chance_, gap, true, side));
+  }
+  for (const double thickness : {1e-2, 1e-3, 1e-4, 1e-5})
+    check("lens", thickness, thin_lens(chance_, thickness, side));
+  for (const double length : {1e-1, 1e-2, 1e-3})
+    check("needles", length, needles_on_floor(chance_, length, length / 100, side));
+  for (const double radius : {1e-1, 1e-2, 1e-3, 4e-4})
+    check("beads", radius, beads(chance_, radius, side));
+  for (const double radius : {1e-3, 1e-4, 1e-5})
+    check("hair", radius, hair(chance_, radius, side));
+}
+
+// Nothing is hidden from a light by what it lies on.
+TEST_F(ViewPrecisions, ALightOnACeilingLightsTheRoom) {
+  for (const Precision precision : {Precision::fast, Precision::robust, Precision::doubled}) {
+    for (int i = 0; i < 4; ++i) {
+      const Vec3d up = normalized(Vec3d{chance_.uniform(-0.2, 0.2), chance_.uniform(-0.2, 0.2), 1});
+      const Vec3d right = normalized(cross(Vec3d{0, 1, 0}, up)), back = cross(up, right);
+      const Vec3d light = up * 2.0 + right * chance_.uniform(-0.5, 0.5) + back * chance_.uniform(-0.5, 0.5);
+      Scene open = picture_scene(up * 1.5 - back * 1.5, {0, 0, 0}, light, 64);
+      add_quad(open, {0, 0, 0}, right * 2.0, back * 2.0, picture_gray);
+      add_sphere(open, up * 0.2, 0.2, mirror());
+      Scene closed = open;
+      add_quad(closed, up * 2.0, right * 2.0, back * 2.0, {{0, 0, 0}, 0, 0, 0, 0, 1});
+      const Rendering without(open, Store::float32), with(closed, Store::float32);
+      FrameRequest request = with.request();
+      request.tracing.precision = precision;
+      request.rules.depth = 1; // the mirror would see the ceiling
+      EXPECT_EQ(pixels_off(with.frame(request), without.frame(request)), 0) << name_of(precision);
+    }
+  }
+}
+
+TEST_F(ViewPrecisions, SaysWhy) {
+  const auto description = [&](const Scene& scene, Store store) {
+    const Rendering rendering(scene, store);
+    return description_of(view_precision(rendering.tracer(), rendering.request()));
+  };
+  const auto expect_begins = [](const std::string& text, const std::string& with) {
+    EXPECT_EQ(text.substr(0, with.size()), with);
+  };
+  expect_begins(description(beads(chance_, 0.1, 64), Store::float32), "robust: float32's error");
+  expect_begins(description(beads(chance_, 1e-4, 64), Store::float32), "double: float32's error");
+  expect_begins(description(beads(chance_, 0.1, 64), Store::float64), "double: the scene is stored");
+  expect_begins(description(empty_scene({0, 0, 1}, {0, 0, 0}), Store::automatic), "robust: no surface");
+  const std::string sampled = description(covered(chance_, 1e-7, true, 64), Store::float32);
+  EXPECT_NE(sampled.find("sampled rays see other colours"), std::string::npos) << sampled;
 }
 
 TEST_F(ViewPrecisions, IsDoubleForAStoreOfDoublesAndRobustForNothing) {

@@ -109,8 +109,7 @@ void expect_good_surfaces(Chance& chance, std::int64_t tries, const Draw& draw) 
       const bool outside = (dot(towards, n) > 0) != is_inside_out(c.primitive);
       if (!outside && !has_two_sides(c.primitive)) towards = -towards;
       if (dot(towards, n) == 0) continue;
-      const Real by = dot(towards, n) < 0 ? -point.error : point.error;
-      const Vec3<Real> origin = fma(n, by, point.position);
+      const Vec3<Real> origin = leaving(point, towards);
       Hit<Real> again{};
       EXPECT_FALSE(alone.hit(unbounded_ray(origin, towards), again))
           << case_described(c) << " left by " << described(origin, towards) << " met again at "

@@ -289,9 +289,9 @@ TEST_F(Orientation, SignIsExact) {
 TEST_F(Orientation, SumOfProductsIsExact) {
   // (1+e)² - 1 - 2e = e² with e = 2^-40: zero in double arithmetic.
   const double e = std::exp2(-40);
-  const double sum = sum_of_products({{{1 + e, 1 + e}, {-1, 1}, {-2, e}, {0, 0}, {0, 0}, {0, 0}}});
+  const double sum = sum_of_products<6>({{1 + e, 1 + e}, {-1, 1}, {-2, e}, {0, 0}, {0, 0}, {0, 0}});
   EXPECT_EQ(sum, e * e);
-  EXPECT_EQ(sum_of_products({{{0.1, 0.3}, {-0.3, 0.1}, {0.7, 0.9}, {-0.9, 0.7}, {0, 1}, {1, 0}}}), 0);
+  EXPECT_EQ(sum_of_products<6>({{0.1, 0.3}, {-0.3, 0.1}, {0.7, 0.9}, {-0.9, 0.7}, {0, 1}, {1, 0}}), 0);
 }
 
 TEST_F(Triangulate, CoversPolygonsOfAnyShape) {

@@ -20,8 +20,7 @@ void add_precision(const CommandLine& command, Precision& precision) {
       "--precision", precision, all_precisions,
       "arithmetic of intersection and traversal: fast (float32, textbook formulas, for comparison), robust "
       "(float32, watertight triangles, error-bounded), double, or auto: robust, and double where the "
-      "scene is stored in float64, or of pictures where float32's errors may exceed a sixteenth of a pixel "
-      "at the nearest surface");
+      "scene is stored in float64, or of pictures where float32's errors could be seen");
 }
 
 void add_first_cell_hit(const CommandLine& command, StopRule& stop) {

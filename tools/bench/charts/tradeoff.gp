@@ -86,8 +86,8 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
       set label (scene eq 'all' ? sprintf('mean of %d scenes', number_of_scenes) : scene) . ', ' . backend \
         . ': to the right is faster, lower is more accurate' at screen 0.02, screen 0.977 font ',20'
       set label sprintf('%s primary and %s random rays a scene; %s in all compared with brute force in double; ' \
-        . 'pictures of %s', primary_size, grouped(int(random_rays)), grouped(int(compared_max)), picture_size) \
-        at screen 0.02, screen 0.952
+        . 'pictures of %s; fast through a kernel for all kinds', primary_size, grouped(int(random_rays)), \
+        grouped(int(compared_max)), picture_size) at screen 0.02, screen 0.952
       set bmargin at screen 0.50
       set tmargin at screen 0.855
       x_title = 'million closest hits per second'
