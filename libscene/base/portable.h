@@ -22,14 +22,6 @@
 // six times as long.
 #define MASU_ALWAYS_INLINE MASU_HD __attribute__((always_inline)) inline
 
-// For what kernels seldom call: inlined it would take registers from all that is called often, and several
-// percent of their speed.
-#ifdef __CUDACC__
-#define MASU_SELDOM __host__ __device__ __noinline__
-#else
-#define MASU_SELDOM inline
-#endif
-
 // Host code may use intrinsics of AVX2 and FMA.
 #if !defined(__CUDACC__) && defined(__AVX2__) && defined(__FMA__)
 #define MASU_HOST_AVX2

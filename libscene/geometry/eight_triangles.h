@@ -7,35 +7,25 @@
 namespace masu {
 
 // intersect() of triangle.h lane by lane, with the same operations in the same order, so that t has the same
-// bits; of corners relative to the rays' origins. triangle_of(lane): as it is stored. Returns where t > 0;
-// elsewhere `t` is anything.
-template <class TriangleOf>
+// bits; of corners relative to the rays' origins. Returns where t > 0; elsewhere `t` is anything.
 MASU_ALWAYS_INLINE Mask8 intersect(const WatertightRay<Floats8>& ray, const Vec3<Floats8>& a,
-                                   const Vec3<Floats8>& b, const Vec3<Floats8>& c,
-                                   const TriangleOf& triangle_of, Floats8& t) {
+                                   const Vec3<Floats8>& b, const Vec3<Floats8>& c, Floats8& t) {
   const EdgeFunctions<Floats8> e = edge_functions(ray, a, b, c);
   const Floats8 zero = 0, lowest = min(e.a, min(e.b, e.c)), highest = max(e.a, max(e.b, e.c)),
                 sum = e.a + e.b + e.c;
   const Mask8 missed = ((lowest < zero) & (zero < highest)) | (sum == zero);
   const Floats8 scale = select((sum < 0x1p-60F) & (Floats8(-0x1p-60F) < sum), 0x1p60F, 1);
+  const EdgeFunctions<Floats8> weights{e.a * scale, e.b * scale, e.c * scale};
   const Floats8 at_a = dot(ray.direction, a), at_b = dot(ray.direction, b), at_c = dot(ray.direction, c);
-  const Floats8 weighted = fma(e.a * scale, at_a, fma(e.b * scale, at_b, e.c * scale * at_c)),
-                along = fast_divide(weighted, sum * scale);
+  const Floats8 along =
+      fast_divide(fma(weights.a, at_a, fma(weights.b, at_b, weights.c * at_c)), sum * scale);
   t = along * ray.inverse_square;
   const Mask8 met = without(zero < t, missed);
   const Floats8 farthest = max(magnitude(at_a), max(magnitude(at_b), magnitude(at_c)));
-  const unsigned short_rays = (met & (Floats8(farthest_corner) * along < farthest)).bits();
-  if (short_rays == 0) [[likely]]
+  const Mask8 is_short = met & (Floats8(farthest_corner) * along < farthest);
+  if (is_short.bits() == 0) [[likely]]
     return met;
-  Numbers8 each;
-  Vectors8 from, towards;
-  each.set(t);
-  from.set(ray.origin);
-  towards.set(ray.direction);
-  for (std::size_t i = 0; i < 8; ++i)
-    if ((short_rays >> i & 1) != 0)
-      each.of[i] = plane_t(from.of(i), towards.of(i), triangle_of(i), each.of[i]);
-  t = each.all();
+  t = select(is_short, short_t(ray, a, b, c, weights, sum * scale, farthest, t), t);
   return met & (zero < t);
 }
 
@@ -58,8 +48,7 @@ MASU_ALWAYS_INLINE Mask8 intersect(const WatertightRay<Floats8>& ray, const Tria
   };
   const Vec3<Floats8> a = corner(&Triangle<float>::a), b = corner(&Triangle<float>::b),
                       c = corner(&Triangle<float>::c);
-  return intersect(
-      ray, a, b, c, [&](std::size_t i) -> const Triangle<float>& { return triangles[eight[i]]; }, t);
+  return intersect(ray, a, b, c, t);
 }
 
 } // namespace masu

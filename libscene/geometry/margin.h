@@ -22,9 +22,9 @@
 //    14 u M too.
 // What moves a ray before it is traced moves it for every grid alike: grids need the tests' and the
 // traversal's sum, below 117 u M. A hit lies within the sum of all but the traversal's, below 113 u M, of the
-// surface. 128 u M covers either. The space that is divided, and the box that rays are clipped to, extend twice
-// that beyond the bounds: so a hit on a face of the bounds, and the traversal to it, stay inside, and flat
-// scenes get a thickness.
+// surface. 128 u M covers either. The space that is divided, and the box that rays are clipped to, extend
+// twice that beyond the bounds: so a hit on a face of the bounds, and the traversal to it, stay inside, and
+// flat scenes get a thickness.
 #pragma once
 
 #include "libscene/geometry/box.h"

@@ -206,9 +206,7 @@ private:
       const Triangle<float>& triangle = scene_.triangles[primitive];
       const auto corner = [&](const auto& c) { return Vec3<Floats8>{c.x, c.y, c.z} - ray.origin; };
       Floats8 t = 0;
-      const Mask8 hits = intersect(
-          ray, corner(triangle.a), corner(triangle.b), corner(triangle.c),
-          [&](std::size_t) -> const Triangle<float>& { return triangle; }, t);
+      const Mask8 hits = intersect(ray, corner(triangle.a), corner(triangle.b), corner(triangle.c), t);
       keep(e, hits & (own.t_min.all() < t), t, primitive);
     } else {
       NoTestCounts counts;

@@ -168,7 +168,8 @@ MASU_HD inline ListedRay<Real> listed_ray(const void* rays, const RayFormat& for
     const Vec3d size{std::abs(o.x), std::abs(o.y), std::abs(o.z)};
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     if (!(size[axis] > 4 * largest && o[axis] * d[axis] < 0)) break;
-    const double t = (size[axis] - 2 * largest) / std::abs(d[axis]) * (1 - 8 * unit);
+    // Of few digits: then its sums with t are mostly exact.
+    const double t = rounded_down((size[axis] - 2 * largest) / std::abs(d[axis]) * (1 - 8 * unit));
     o = fma(d, t, o);
     skipped += t;
   }

@@ -67,7 +67,7 @@ TEST_F(ViewPrecisions, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
   }
 }
 
-// Of each kind of error that pictures show: what is taken has no more pixels off than one in a thousand.
+// Of each kind of error that pictures show: what is taken has no more pixels off than two in a thousand.
 TEST_F(ViewPrecisions, PicturesOfFineThingsAreRight) {
   constexpr std::int32_t side = 128;
   const auto check = [&](const char* name, double parameter, const Scene& scene) {
@@ -79,7 +79,7 @@ TEST_F(ViewPrecisions, PicturesOfFineThingsAreRight) {
     const double robust = pixels_off(picture(rendering, Precision::robust), exact);
     testing::Test::RecordProperty(fmt::format("{}_{:g}", name, parameter),
                                   fmt::format("robust {}, {}", robust, description_of(chosen)));
-    EXPECT_TRUE(chosen.precision == Precision::doubled || robust <= 1e-3)
+    EXPECT_TRUE(chosen.precision == Precision::doubled || robust <= 2e-3)
         << name << ' ' << parameter << ": " << robust << "; " << description_of(chosen);
     return chosen.precision;
   };

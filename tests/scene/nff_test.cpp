@@ -191,7 +191,7 @@ std::optional<std::string> error_of(std::string_view text, const NffOptions& opt
     EXPECT_EQ(error.code(), ErrorCode::input);
     EXPECT_EQ(error.place()[0], 't');
     EXPECT_FALSE(error.message().empty());
-    return error.what();
+    return error.text();
   }
   return {};
 }
