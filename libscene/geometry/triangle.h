@@ -68,8 +68,8 @@ MASU_ALWAYS_INLINE Real short_t(const WatertightRay<Real>& ray, const Vec3<Real>
   try_axis(a.y, b.y, c.y, ray.direction.y);
   try_axis(a.z, b.z, c.z, ray.direction.z);
   const Real weighted = fma(weights.a, at_a, fma(weights.b, at_b, weights.c * at_c));
-  const auto is_better = (extent < farthest * ray.inverse_square * magnitude(speed)) &
-                         (Real(1) <= Real(9) * speed * speed * ray.inverse_square);
+  const auto is_better = (Real(8) * extent < farthest * ray.inverse_square * magnitude(speed)) &
+                         (Real(1) <= Real(8) * speed * speed * ray.inverse_square);
   return select(is_better, fast_divide(weighted, sum * speed), otherwise);
 }
 
