@@ -21,9 +21,8 @@ struct ClippedRay {
   Real skipped;
 };
 
-// The slab test: whether the ray is in the box between `enter`, t_min and some larger t. The exit is
-// enlarged, and `enter` reduced, by more than their rounding errors (Ize, "Robust BVH Ray Traversal", JCGT
-// 2(2), 2013).
+// The slab test: whether the ray is in the box between `enter` and some larger t. The exit is enlarged, and
+// `enter` reduced, by more than their rounding errors (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
 template <class Real>
 MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Vec3<Real>& inverse,
                             Real& enter) {
@@ -33,7 +32,7 @@ MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Ve
       fast_max(fast_max(Real(0), fast_min(t0.x, t1.x)), fast_max(fast_min(t0.y, t1.y), fast_min(t0.z, t1.z)));
   const Real leave = fast_min(fast_max(t0.x, t1.x), fast_min(fast_max(t0.y, t1.y), fast_max(t0.z, t1.z)));
   enter = from * (1 - slack);
-  return fast_max(ray.t_min, enter) <= leave * (1 + slack) && enter <= ray.t_max;
+  return enter <= leave * (1 + slack) && enter <= ray.t_max;
 }
 
 // The least x >= 0 for which x + skipped, rounded, is at least t.
@@ -47,16 +46,14 @@ MASU_HD inline Real first_reaching(Real t, Real skipped) {
     x = next_above(x);
   return x;
 }
-// The limits of a clipped ray (see there), from those of the ray that was clipped.
+// Makes the limits of the ray that was clipped the clipped ray's: see there.
 template <class Real>
-MASU_HD inline void set_limits(Real t_min, Real t_max, ClippedRay<Real>& clipped) {
+MASU_HD inline void clip_limits(ClippedRay<Real>& clipped) {
   const Real skipped = clipped.skipped;
-  if (skipped > 0) {
-    t_min = t_min < skipped ? 0 : next_below(first_reaching(next_above(t_min), skipped));
-    if (t_max < RealTraits<Real>::largest) t_max = first_reaching(t_max, skipped);
-  }
-  clipped.ray.t_min = t_min;
-  clipped.ray.t_max = t_max;
+  Real &t_min = clipped.ray.t_min, &t_max = clipped.ray.t_max;
+  if (!(skipped > 0)) return;
+  t_min = t_min < skipped ? 0 : next_below(first_reaching(next_above(t_min), skipped));
+  if (t_max < RealTraits<Real>::largest) t_max = first_reaching(t_max, skipped);
 }
 
 // Whether the ray can't meet anything that lies `padding` or more inside the box: it starts past the far face
@@ -100,11 +97,9 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
     if (!crosses(box, clipped.ray, clipped.inverse, enter)) return false;
     clipped.ray.origin = fma(d, enter, clipped.ray.origin);
     clipped.skipped += enter;
-    clipped.ray.t_min = 0;
-    clipped.ray.t_max = RealTraits<Real>::largest;
     if (!(enter * largest_magnitude(d) > far)) {
-      set_limits(ray.t_min, ray.t_max, clipped);
-      return clipped.skipped < ray.t_max;
+      clip_limits(clipped);
+      return clipped.ray.t_max > 0;
     }
   }
   return false;

@@ -15,18 +15,10 @@ MASU_ALWAYS_INLINE Mask8 intersect(const WatertightRay<Floats8>& ray, const Vec3
                 sum = e.a + e.b + e.c;
   const Mask8 missed = ((lowest < zero) & (zero < highest)) | (sum == zero);
   const Floats8 scale = select((sum < 0x1p-60F) & (Floats8(-0x1p-60F) < sum), 0x1p60F, 1);
-  const EdgeFunctions<Floats8> weights{e.a * scale, e.b * scale, e.c * scale};
-  const Floats8 at_a = dot(ray.direction, a), at_b = dot(ray.direction, b), at_c = dot(ray.direction, c);
-  const Floats8 along =
-      fast_divide(fma(weights.a, at_a, fma(weights.b, at_b, weights.c * at_c)), sum * scale);
-  t = along * ray.inverse_square;
-  const Mask8 met = without(zero < t, missed);
-  const Floats8 farthest = max(magnitude(at_a), max(magnitude(at_b), magnitude(at_c)));
-  const Mask8 is_short = met & (Floats8(farthest_corner) * along < farthest);
-  if (is_short.bits() == 0) [[likely]]
-    return met;
-  t = select(is_short, short_t(ray, a, b, c, weights, sum * scale, farthest, t), t);
-  return met & (zero < t);
+  const Floats8 weighted = fma(e.a * scale, dot(ray.direction, a),
+                               fma(e.b * scale, dot(ray.direction, b), e.c * scale * dot(ray.direction, c)));
+  t = fast_divide(weighted, sum * scale) * ray.inverse_square;
+  return without(zero < t, missed);
 }
 
 // The same of a triangle for each lane.

@@ -72,9 +72,6 @@ MASU_ALWAYS_INLINE Floats8 min(Floats8 a, Floats8 b) {
 MASU_ALWAYS_INLINE Floats8 max(Floats8 a, Floats8 b) {
   return _mm256_max_ps(a.v, b.v);
 }
-MASU_ALWAYS_INLINE Floats8 fast_max(Floats8 a, Floats8 b) {
-  return max(a, b);
-}
 MASU_ALWAYS_INLINE Floats8 smallest(const Vec3<Floats8>& a) {
   return min(a.x, min(a.y, a.z));
 }

@@ -11,9 +11,7 @@
 //  - Triangles (triangle.h): subtracting o moves a vertex by 2√3 u M; projecting it, across the ray and along
 //    it, by (3 + 4) u 2√3 M each; the edge functions have small relative errors and exact signs, so the hit
 //    lies on the moved triangle up to 9 u 2√3 M along the ray. In all below 89 u M (the worst case found by
-//    search: 16). Where t comes from a coordinate (short_t()), the hit has that coordinate of a point
-//    of the moved triangle: along the ray it is off by 2√2 times what moved that point across the ray,
-//    8 u 2√3 M, and by an eighth of 9 u 2√3 M: with what it is off across the ray below 88 u M.
+//    search: 16).
 //  - Spheres (sphere.h): the same subtraction and projection, and a square root: below 60 u M (found: 15).
 //  - Cones (cone.h) are solved about the point where the quadratic's terms are smallest: below 60 u M
 //    (millions of hard cases found none worse).

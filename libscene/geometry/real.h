@@ -158,16 +158,6 @@ MASU_ALWAYS_INLINE float rounded_down(double value) {
   return -rounded_up(-value);
 }
 
-// What floats8.h has of eight numbers.
-template <class T>
-MASU_ALWAYS_INLINE T magnitude(T value) {
-  return std::abs(value);
-}
-template <class T>
-MASU_ALWAYS_INLINE T select(bool which, T a, T b) {
-  return which ? a : b;
-}
-
 // Minimum and maximum in one instruction, for numbers that are never NaN; of -0 and +0 either.
 MASU_ALWAYS_INLINE float fast_min(float a, float b) {
 #ifdef __CUDA_ARCH__

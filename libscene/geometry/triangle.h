@@ -39,40 +39,6 @@ MASU_ALWAYS_INLINE EdgeFunctions<Real> edge_functions(const WatertightRay<Real>&
           difference_of_products(q.x, p.y, q.y, p.x)};
 }
 
-// So many times t is as far as corners may lie along the ray for the interpolation of their distances to be
-// good enough: with an error of 8 u times that, it is off by less than 2^-16 of t.
-inline constexpr float farthest_corner = 32;
-
-// Beyond that t may come from one of the corners' coordinates instead of their distances along the ray:
-// interpolated, it is that of the hit. Its error is the smaller the less the triangle extends along that
-// axis, seen from the ray's origin, as a floor does upwards: the axis with the least error is taken, if the
-// ray advances along it by a third of its length or more (margin.h says why). `weights`: edge functions, of
-// sum `sum`; `farthest`: the largest distance along the ray. Real: a number, or eight.
-template <class Real>
-MASU_ALWAYS_INLINE Real short_t(const WatertightRay<Real>& ray, const Vec3<Real>& a, const Vec3<Real>& b,
-                                const Vec3<Real>& c, const EdgeFunctions<Real>& weights, const Real& sum,
-                                const Real& farthest, const Real& otherwise) {
-  const auto largest = [](const Real& p, const Real& q, const Real& r) {
-    return fast_max(magnitude(p), fast_max(magnitude(q), magnitude(r)));
-  };
-  Real at_a = a.x, at_b = b.x, at_c = c.x, speed = ray.direction.x, extent = largest(at_a, at_b, at_c);
-  const auto try_axis = [&](const Real& p, const Real& q, const Real& r, const Real& along) {
-    const Real own = largest(p, q, r);
-    const auto is_better = own * magnitude(speed) < extent * magnitude(along);
-    at_a = select(is_better, p, at_a);
-    at_b = select(is_better, q, at_b);
-    at_c = select(is_better, r, at_c);
-    speed = select(is_better, along, speed);
-    extent = select(is_better, own, extent);
-  };
-  try_axis(a.y, b.y, c.y, ray.direction.y);
-  try_axis(a.z, b.z, c.z, ray.direction.z);
-  const Real weighted = fma(weights.a, at_a, fma(weights.b, at_b, weights.c * at_c));
-  const auto is_better = (Real(8) * extent < farthest * ray.inverse_square * magnitude(speed)) &
-                         (Real(1) <= Real(8) * speed * speed * ray.inverse_square);
-  return select(is_better, fast_divide(weighted, sum * speed), otherwise);
-}
-
 // Whether the ray's line meets the triangle from either side, edges and corners included; then sets `t`,
 // which may be negative. A triangle seen exactly edge-on isn't met, its neighbours are.
 template <class Real, class Stored>
@@ -88,13 +54,9 @@ MASU_ALWAYS_INLINE bool intersect(const WatertightRay<Real>& ray, const Triangle
   // The corners' distances along the ray, interpolated by the barycentric coordinates; small ones are scaled
   // so that no product underflows.
   const Real scale = sum < 0x1p-60F && sum > -0x1p-60F ? Real(0x1p60F) : Real(1);
-  const EdgeFunctions<Real> weights{e.a * scale, e.b * scale, e.c * scale};
-  const Real at_a = dot(ray.direction, a), at_b = dot(ray.direction, b), at_c = dot(ray.direction, c);
-  const Real along = fast_divide(fma(weights.a, at_a, fma(weights.b, at_b, weights.c * at_c)), sum * scale);
-  t = along * ray.inverse_square;
-  const Real farthest = fast_max(std::abs(at_a), fast_max(std::abs(at_b), std::abs(at_c)));
-  if ((t > 0) & (farthest > Real(farthest_corner) * along))
-    t = short_t(ray, a, b, c, weights, sum * scale, farthest, t);
+  const Real weighted = fma(e.a * scale, dot(ray.direction, a),
+                            fma(e.b * scale, dot(ray.direction, b), e.c * scale * dot(ray.direction, c)));
+  t = fast_divide(weighted, sum * scale) * ray.inverse_square;
   return true;
 }
 

@@ -70,20 +70,18 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
                              select(Floats8(0) < d.z, below.z, above.z)};
     alive = without(alive, smallest(left) < padding * largest);
     const Vec3<Floats8> inverted{finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)};
-    Floats8 passed = 0, ahead = from, beyond = to;
+    Floats8 passed = 0;
     Mask8 clips = alive;
     for (int i = 0; i < most_clips && clips.bits() != 0; ++i) {
       const Vec3<Floats8> t0 = (low - o) * inverted, t1 = (high - o) * inverted;
       const Floats8 near = max(max(0.0F, min(t0.x, t1.x)), max(min(t0.y, t1.y), min(t0.z, t1.z))),
                     leave = min(max(t0.x, t1.x), min(max(t0.y, t1.y), max(t0.z, t1.z)));
       const Floats8 enter = near * (1 - slack);
-      const Mask8 crosses = (max(ahead, enter) <= leave * (1 + slack)) & (enter <= beyond);
+      const Mask8 crosses = (enter <= leave * (1 + slack)) & (enter <= to);
       alive = without(alive, without(clips, crosses));
       clips = clips & crosses;
       o = select(clips, fma(d, enter, o), o);
       passed = select(clips, passed + enter, passed);
-      ahead = 0.0F;
-      beyond = RealTraits<float>::largest;
       clips = clips & (Floats8(256 * largest) < enter * largest_magnitude(d));
     }
     alive = without(alive, clips) & (passed < to);
@@ -96,12 +94,12 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
     skipped.set(passed);
     scale.set(scaled);
     meet_bounds = alive.bits();
-    // set_limits()
+    // clip_limits()
     const Mask8 limited = (Floats8(0) < passed) & ((Floats8(0) < from) | (to < RealTraits<float>::largest));
     each_bit(limited.bits() & meet_bounds, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
       ClippedRay<float> near = clipped(i);
-      set_limits(t_min.of[i], t_max.of[i], near);
+      clip_limits(near);
       t_min.of[i] = near.ray.t_min;
       t_max.of[i] = near.ray.t_max;
     });

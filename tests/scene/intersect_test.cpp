@@ -49,39 +49,6 @@ TYPED_TEST(RayAndPrimitive, HitsAreAsAccurateAtAnyScale) {
   });
 }
 
-// A floor is large beside a ray that begins close to it.
-TEST(ShortRay, HitsALargeFloorAtTheTOfItsPlane) {
-  const RandomSeed seed;
-  const testing::ScopedTrace trace(__FILE__, __LINE__, seed.trace());
-  Chance chance{seed};
-  std::int64_t hits = 0;
-  for (std::int64_t i = cases(100'000); i > 0; --i) {
-    const double size = chance.power_of_two(-10, 20);
-    const int up = chance.whole(0, 2);
-    const auto height = static_cast<float>(chance.uniform(-size, size));
-    const auto corner = [&] {
-      Vec3f at = cast<float>(chance.in_cube(size));
-      at.set(up, height);
-      return at;
-    };
-    const Triangle<float> triangle = triangle_of(corner(), corner(), corner());
-    const double u = chance.uniform(0, 0.5), v = chance.uniform(0, 0.5);
-    Vec3d above = cast<double>(triangle.a) + cast<double>(triangle.b - triangle.a) * u +
-                  cast<double>(triangle.c - triangle.a) * v;
-    above.set(up, static_cast<double>(height) + size * chance.power_of_two(-18, 0));
-    const Vec3f origin = cast<float>(above), direction = cast<float>(chance.direction());
-    if (!(direction[up] < -0.4F)) continue;
-    const double exact =
-        (static_cast<double>(height) - static_cast<double>(origin[up])) / static_cast<double>(direction[up]);
-    float t = 0;
-    if (!(exact > 0) || !intersect(prepared(origin, direction), triangle, t)) continue;
-    ++hits;
-    ASSERT_LE(std::abs(static_cast<double>(t) - exact), 0x1p-15 * exact)
-        << described(triangle) << ' ' << described(origin, direction);
-  }
-  EXPECT_GT(hits, cases(1000));
-}
-
 // Directions nearly perpendicular to an axis, with components down to denormal numbers.
 TYPED_TEST(RayAndPrimitive, HitsAreAsAccurateAlongDirectionsWithTinyComponents) {
   using Real = typename TypeParam::Real;
