@@ -42,18 +42,19 @@ MASU_HD inline Real first_reaching(Real t, Real skipped) {
   // is looked for is at most two numbers away.
   const Real half_gap = (t - next_below(t)) / 2;
   Real x = next_below(next_below(max((t - skipped) - half_gap, Real(0))));
-  for (int steps = 0; steps < 5 && x + skipped < t; ++steps)
-    x = next_above(x);
+  for (int steps = 0; steps < 4; ++steps) // without a branch, which would take registers from all of a kernel
+    x = x + skipped < t ? next_above(x) : x;
   return x;
 }
-// Makes the limits of the ray that was clipped the clipped ray's: see there.
+// The limits of a clipped ray (see there) for those of the ray that was clipped.
 template <class Real>
-MASU_HD inline void clip_limits(ClippedRay<Real>& clipped) {
-  const Real skipped = clipped.skipped;
-  Real &t_min = clipped.ray.t_min, &t_max = clipped.ray.t_max;
-  if (!(skipped > 0)) return;
-  t_min = t_min < skipped ? 0 : next_below(first_reaching(next_above(t_min), skipped));
-  if (t_max < RealTraits<Real>::largest) t_max = first_reaching(t_max, skipped);
+MASU_HD inline Real clipped_t_min(Real t_min, Real skipped) {
+  if (!(skipped > 0)) return t_min;
+  return t_min < skipped ? 0 : next_below(first_reaching(next_above(t_min), skipped));
+}
+template <class Real>
+MASU_HD inline Real clipped_t_max(Real t_max, Real skipped) {
+  return skipped > 0 && t_max < RealTraits<Real>::largest ? first_reaching(t_max, skipped) : t_max;
 }
 
 // Whether the ray can't meet anything that lies `padding` or more inside the box: it starts past the far face
@@ -69,7 +70,7 @@ MASU_HD inline bool departs(const Box<Real>& box, const Ray<Real>& ray, Real pad
 // by at most 1e25 (1e195), for which 5 (14) are enough.
 inline constexpr int most_clips = 16;
 
-// `box`: a scene's padded bounds (margin.h). False when the ray misses the box or departs from the bounds.
+// As clip(), but t_min, which is only needed once something is hit, is left to the caller: 0.
 //
 // Because `enter` is reduced by its rounding error, the new origin may lie before the box. From far away that
 // error is large, and another clip from there removes it, until the way is at most 256 times the box's
@@ -82,9 +83,10 @@ inline constexpr int most_clips = 16;
 // A ray that after all clips is still far away misses. It has a component so small that its inverse is
 // clamped.
 template <class Real>
-MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
+MASU_HD inline bool clip_but_t_min(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
   const Vec3<Real> d = ray.direction;
-  clipped = {ray, {finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)}, 0};
+  clipped = {
+      {ray.origin, 0, d, ray.t_max}, {finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)}, 0};
   const Real largest = largest_magnitude(box), far = 256 * largest;
   // The box's padding, less the rounding of the box itself.
   constexpr Real padding = (2 * margin_roundings - 16) * RealTraits<Real>::unit_roundoff;
@@ -98,11 +100,19 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
     clipped.ray.origin = fma(d, enter, clipped.ray.origin);
     clipped.skipped += enter;
     if (!(enter * largest_magnitude(d) > far)) {
-      clip_limits(clipped);
+      clipped.ray.t_max = clipped_t_max(ray.t_max, clipped.skipped);
       return clipped.ray.t_max > 0;
     }
   }
   return false;
+}
+
+// `box`: a scene's padded bounds (margin.h). False when the ray misses the box or departs from the bounds.
+template <class Real>
+MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
+  const bool meets = clip_but_t_min(ray, box, clipped);
+  clipped.ray.t_min = clipped_t_min(ray.t_min, clipped.skipped);
+  return meets;
 }
 
 } // namespace masu

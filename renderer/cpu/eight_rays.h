@@ -94,14 +94,11 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init): see above
     skipped.set(passed);
     scale.set(scaled);
     meet_bounds = alive.bits();
-    // clip_limits()
     const Mask8 limited = (Floats8(0) < passed) & ((Floats8(0) < from) | (to < RealTraits<float>::largest));
     each_bit(limited.bits() & meet_bounds, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
-      ClippedRay<float> near = clipped(i);
-      clip_limits(near);
-      t_min.of[i] = near.ray.t_min;
-      t_max.of[i] = near.ray.t_max;
+      t_min.of[i] = clipped_t_min(t_min.of[i], skipped.of[i]);
+      t_max.of[i] = clipped_t_max(t_max.of[i], skipped.of[i]);
     });
     if (meet_bounds != 0) prepare_tests(d);
   }

@@ -36,9 +36,9 @@ __device__ inline bool often_misses(const SceneView<Stored>& scene, const Ray<Re
   for (unsigned half = 0; half < 2; ++half) {
     const unsigned sample = half * threads_per_culling_block + threadIdx.x;
     ClippedRay<Real> near{};
-    Real scale;
+    Real scale, t_min;
     missing += __syncthreads_count(
-        scale_and_clip(scene, rays[sample * (count / rays_sampled)], near, scale) ? 0 : 1);
+        scale_and_clip(scene, rays[sample * (count / rays_sampled)], near, scale, t_min) ? 0 : 1);
   }
   return missing * 20 >= static_cast<int>(rays_sampled) * 9;
 }
@@ -62,8 +62,8 @@ __global__ void __launch_bounds__(threads_per_culling_block)
     bool meets = false;
     if (number < count) {
       ClippedRay<Real> near{};
-      Real scale;
-      meets = scale_and_clip(scene, streamed(rays + number), near, scale);
+      Real scale, t_min;
+      meets = scale_and_clip(scene, streamed(rays + number), near, scale, t_min);
       if (!meets && query == Query::occlusion) write_hit<Query::occlusion>(results, number, no_hit());
       if (!meets && query == Query::nearest_hit) write_hit<Query::nearest_hit>(results, number, no_hit());
     }

@@ -79,11 +79,14 @@ __device__ inline bool fetch_ray(const SceneView<Stored>& scene, const Ray<Real>
                                  ClippedRay<Real>& near) {
   if (number >= count) return false;
   Real scale;
-  if (!scale_and_clip(scene, streamed(rays + number), near, scale)) {
+  if (!scale_and_clip(scene, streamed(rays + number), near, scale, end.t_min)) {
     write_hit<query>(results, number, no_hit());
     return false;
   }
-  end = {scale, near.skipped, near.ray.t_min, near.ray.t_max, number};
+  end.scale = scale;
+  end.skipped = near.skipped;
+  end.t_max = near.ray.t_max;
+  end.number = number;
   return true;
 }
 template <class TestRay>

@@ -119,12 +119,16 @@ MASU_HD inline Real scale_direction(Ray<Real>& ray) {
   return scale;
 }
 
-// Scales and clips a ray to the scene; false where it misses the bounds.
+// Scales and clips a ray to the scene; false where it misses the bounds. The clipped ray's t_min is written
+// to `t_min` alone, which needn't be in a register.
 template <class Real, class Stored>
 MASU_HD inline bool scale_and_clip(const SceneView<Stored>& scene, Ray<Real> ray, ClippedRay<Real>& near,
-                                   Real& scale) {
+                                   Real& scale, Real& t_min) {
   scale = scale_direction(ray);
-  return clip(ray, cast<Real>(scene.clip), near);
+  t_min = ray.t_min;
+  if (!clip_but_t_min(ray, cast<Real>(scene.clip), near)) return false;
+  if (t_min > 0) t_min = clipped_t_min(t_min, near.skipped);
+  return true;
 }
 
 // --- Rays from far away ------------------------------------------------------------------------------------
