@@ -27,17 +27,16 @@ inline constexpr int max_rays_by_pairs = lanes_per_warp / 2, max_rays_by_fours =
 // Goes on with a ray by `advance`, which is given the visitor of its query; false at its end.
 template <Query query, class M, class Stored, class Advance>
 __device__ inline bool goes_on(const SceneView<Stored>& scene, WalkingRay<typename M::TestRay>& ray,
-                               const RayEnds<typename M::Real>& end, const typename M::Real& t_min,
-                               const Advance& advance) {
+                               const RayEnds<typename M::Real>& end, const Advance& advance) {
   NoCounts counts;
   if constexpr (query == Query::nearest_hit) {
     // 0: t_max is for the rule of termination, which only grids use.
-    NearestHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, t_min, 0, ray.nearest};
+    NearestHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, end.t_min, 0, ray.nearest};
     const bool is_under_way = advance(visitor);
     ray.nearest = visitor.hit;
     return is_under_way;
   } else {
-    AnyHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, t_min, end.t_max, ray.nearest.t};
+    AnyHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, end.t_min, end.t_max, ray.nearest.t};
     const bool is_under_way = advance(visitor);
     ray.nearest.t = visitor.hit;
     return is_under_way;
@@ -55,15 +54,15 @@ __device__ inline void write_end(const RayResults& results, const RayEnds<Real>&
 template <int log2, int left_over, Query query, class M, class Stored, class Hierarchy>
 __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const Hierarchy& hierarchy,
                                            unsigned holders, WalkingRay<typename M::TestRay>& own,
-                                           HierarchyStack& stack, const BlockRays<typename M::Real>& rays,
+                                           HierarchyStack& stack, const RayEnds<typename M::Real>* ends,
                                            std::uint32_t* sources, const RayResults& results) {
   if (__popc(holders) <= left_over) return holders;
   bool has_ray = regroup<log2>(holders, own, stack, sources);
   const bool is_first = threadIdx.x % (1U << log2) == 0;
   do {
-    const auto& end = rays.ends[own.thread];
+    const auto& end = ends[own.thread];
     const bool had_ray = has_ray;
-    has_ray = goes_on<query, M>(scene, own, end, rays.t_min[own.thread], [&](auto& visitor) {
+    has_ray = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
       return advance_group<log2>(hierarchy, own.walk, stack, visitor, had_ray);
     });
     if (had_ray && !has_ray && is_first) write_end<query>(results, end, own.nearest);
@@ -77,14 +76,17 @@ __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const
 template <Query query, class Real, class Stored>
 __device__ inline bool fetch_ray(const SceneView<Stored>& scene, const Ray<Real>* rays, std::uint32_t count,
                                  std::uint32_t number, const RayResults& results, RayEnds<Real>& end,
-                                 Real& t_min, ClippedRay<Real>& near) {
+                                 ClippedRay<Real>& near) {
   if (number >= count) return false;
   Real scale;
-  if (!scale_and_clip(scene, streamed(rays + number), near, scale, t_min)) {
+  if (!scale_and_clip(scene, streamed(rays + number), near, scale, end.t_min)) {
     write_hit<query>(results, number, no_hit());
     return false;
   }
-  end = {scale, near.skipped, near.ray.t_max, number};
+  end.scale = scale;
+  end.skipped = near.skipped;
+  end.t_max = near.ray.t_max;
+  end.number = number;
   return true;
 }
 template <class TestRay>
@@ -98,12 +100,12 @@ __device__ inline void begin_ray(const ClippedRay<typename TestRay::Real>& near,
 template <Query query, class M, class Stored, class Hierarchy>
 __device__ inline void trace_last_rays(const SceneView<Stored>& scene, const Hierarchy& hierarchy,
                                        bool has_ray, WalkingRay<typename M::TestRay>& own,
-                                       HierarchyStack& stack, const BlockRays<typename M::Real>& rays,
+                                       HierarchyStack& stack, const RayEnds<typename M::Real>* ends,
                                        std::uint32_t* sources, const RayResults& results) {
   std::uint32_t* const warp_sources = sources + threadIdx.x / lanes_per_warp * lanes_per_warp;
   const unsigned left = trace_by_groups<1, max_rays_by_fours, query, M>(
-      scene, hierarchy, __ballot_sync(all_lanes, has_ray), own, stack, rays, warp_sources, results);
-  trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, rays, warp_sources, results);
+      scene, hierarchy, __ballot_sync(all_lanes, has_ray), own, stack, ends, warp_sources, results);
+  trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, ends, warp_sources, results);
 }
 
 // Boxes of references of a node that a packet tests: triangles' are small beside a packet, and many.
@@ -117,33 +119,32 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
                   const Ray<typename M::Real>* const rays, const std::uint32_t count,
                   const RayResults results) {
   // What is needed of a ray when it is begun and ended would take up registers.
-  __shared__ BlockRays<typename M::Real> block;
+  __shared__ RayEnds<typename M::Real> ends[rays_per_block];
   __shared__ std::uint32_t sources[rays_per_block]; // of regroup()
   __shared__ PacketBoxes packets[rays_per_block / lanes_per_warp];
-  auto& end = block.ends[threadIdx.x];
-  auto& t_min = block.t_min[threadIdx.x];
+  auto& end = ends[threadIdx.x];
   HierarchyStack stack;
   WalkingRay<typename M::TestRay> own{};
   own.thread = threadIdx.x;
   const std::uint32_t number = blockIdx.x * rays_per_block + threadIdx.x;
   ClippedRay<typename M::Real> near{};
-  const bool has_ray = fetch_ray<query>(scene, rays, count, number, results, end, t_min, near);
+  const bool has_ray = fetch_ray<query>(scene, rays, count, number, results, end, near);
   if (!__any_sync(all_lanes, has_ray)) return;
   if (has_ray) begin_ray(near, own);
-  bool under_way = goes_on<query, M>(scene, own, end, t_min, [&](auto& visitor) {
+  bool under_way = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
     return begin_packet<max_packet_leaves<M>>(hierarchy, own.walk, stack, visitor, has_ray,
                                               packets[threadIdx.x / lanes_per_warp]);
   });
   if (__popc(__ballot_sync(all_lanes, under_way)) > max_rays_by_pairs) {
     while (under_way) {
       under_way = goes_on<query, M>(
-          scene, own, end, t_min, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
+          scene, own, end, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
       if (__popc(__activemask()) <= max_rays_by_pairs) break;
     }
   }
   if (has_ray && !under_way) write_end<query>(results, end, own.nearest);
-  __syncwarp(); // for `block`, which other lanes read now
-  trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, block, sources, results);
+  __syncwarp(); // for `ends`, which other lanes read now
+  trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
 }
 
 // Traces a list of rays, of which warps fetch the next ones for their idle lanes from `next_ray` on.
@@ -152,11 +153,10 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     refill_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
                   const Ray<typename M::Real>* const rays, const std::uint32_t count,
                   const RayResults results, std::uint32_t* const next_ray) {
-  __shared__ BlockRays<typename M::Real> block;
+  __shared__ RayEnds<typename M::Real> ends[rays_per_block];
   __shared__ std::uint32_t sources[rays_per_block];
   const unsigned lane = threadIdx.x % lanes_per_warp;
-  auto& end = block.ends[threadIdx.x];
-  auto& t_min = block.t_min[threadIdx.x];
+  auto& end = ends[threadIdx.x];
   HierarchyStack stack;
   WalkingRay<typename M::TestRay> own{};
   own.thread = threadIdx.x;
@@ -181,7 +181,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
         }
         const std::uint32_t number = next + rank_among(idle, lane);
         if (!has_ray && number < taken)
-          has_ray = fetch_ray<query>(scene, rays, count, number, results, end, t_min, near);
+          has_ray = fetch_ray<query>(scene, rays, count, number, results, end, near);
         next = ::min(next + wanting, taken);
         idle = __ballot_sync(all_lanes, !has_ray);
       } while (next < count && __popc(idle) > max_lanes_wanting);
@@ -192,7 +192,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     int idle_steps = 0;
     while (under_way) {
       under_way = goes_on<query, M>(
-          scene, own, end, t_min, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
+          scene, own, end, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
       const int active = __popc(__activemask());
       if (next < count) {
         idle_steps += max(lanes_per_warp - idle_lanes_tolerated - active, 0);
@@ -204,7 +204,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     __syncwarp();
   }
   __syncwarp();
-  trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, block, sources, results);
+  trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
 }
 
 } // namespace masu

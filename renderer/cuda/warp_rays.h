@@ -25,14 +25,8 @@ __device__ inline Hit<float> hit_of(std::uint64_t key) {
 // What is needed of a ray when it is begun and ended.
 template <class Real>
 struct RayEnds {
-  Real scale, skipped, t_max;
+  Real scale, skipped, t_min, t_max;
   std::uint32_t number; // in the list
-};
-// Of a block's rays. t_min by itself: only what is hit looks at it.
-template <class Real>
-struct BlockRays {
-  RayEnds<Real> ends[rays_per_block];
-  Real t_min[rays_per_block];
 };
 
 // What a lane has for others to help with: a list of its ray's, or a way.
@@ -81,7 +75,6 @@ struct WarpRays {
   TestRay tests[lanes_per_warp];
   SharedHit<Real> nearest[lanes_per_warp];
   RayEnds<Real> ends[lanes_per_warp];
-  Real t_min[lanes_per_warp];
   SharedOut shared_out[lanes_per_warp]; // one after another
 };
 

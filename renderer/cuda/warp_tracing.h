@@ -63,7 +63,7 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
     Real t = 0;
     const bool nearer =
         tests &&
-        intersect<M::kinds>(scene, rays.tests[part.ray], primitive, rays.t_min[part.ray], t, counts) &&
+        intersect<M::kinds>(scene, rays.tests[part.ray], primitive, rays.ends[part.ray].t_min, t, counts) &&
         is_nearer(t, primitive, rays.nearest[part.ray].get());
     if (!alone) {
       rays.nearest[part.ray].lower(nearer, {t, primitive});
@@ -111,11 +111,15 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   DrainSignal drain;
   const auto begin = [&](std::uint32_t number) {
     ClippedRay<Real> near{};
+    RayEnds<Real>& ends = rays.ends[lane];
     Real scale;
-    const bool meets = scale_and_clip(scene, streamed(queue.rays + number), near, scale, rays.t_min[lane]);
+    const bool meets = scale_and_clip(scene, streamed(queue.rays + number), near, scale, ends.t_min);
     has_ray = true;
     own.under_way = meets;
-    rays.ends[lane] = {scale, near.skipped, near.ray.t_max, number};
+    ends.scale = scale;
+    ends.skipped = near.skipped;
+    ends.t_max = near.ray.t_max;
+    ends.number = number;
     rays.nearest[lane].set({near.ray.t_max, 0});
     if (!meets) return;
     prepare(rays.tests[lane], near.ray.origin, near.ray.direction);
