@@ -381,7 +381,8 @@ typedef struct masu_hits {
   uint32_t* face; /* of a scene from mesh2bin, the number of the file's face, through all objects in their
                      order; of others as primitive; MASU_NONE for a miss */
   double* t64;    /* t, with all digits that the query's precision has */
-  uint8_t* front; /* 1 where the ray meets the front, else 0 */
+  uint8_t* front; /* 1 where the ray meets the front, else 0: exactly; of lists of all hits so that their sum
+                   * is right for closed meshes, also where they are met at an edge or by a sliver */
 } masu_hits;
 
 /* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of a GPU of

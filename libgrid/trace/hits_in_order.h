@@ -36,11 +36,7 @@ struct HitFilter {
     return primitive != excluded &&
            (object_masks == nullptr || (object_masks[surface_of(scene, primitive).object] & ray_mask) != 0);
   }
-  // meets_front(): asked only where it matters.
-  template <class MeetsFront>
-  MASU_HD bool admits_side(const MeetsFront& meets_front) const {
-    return faces == Faces::both || meets_front() == (faces == Faces::front);
-  }
+  MASU_HD bool admits(bool front) const { return faces == Faces::both || front == (faces == Faces::front); }
 };
 
 // A hit with the side that is met, in the lowest bit: set for the back. Primitives have 31 bits.
@@ -126,8 +122,7 @@ struct NextHits {
   MASU_HD void primitive(PrimitiveIndex number) {
     if (!filter.admits(scene, number)) return;
     each_hit<M::kinds>(scene, ray, number, filter.edges, [&](Real t, bool front) {
-      if (t < t_max && filter.admits_side([&] { return side_met(scene, ray, number, front); }))
-        room.keep({t, number << 1 | (front ? 0U : 1U)});
+      if (t < t_max && filter.admits(front)) room.keep({t, number << 1 | (front ? 0U : 1U)});
     });
   }
   MASU_HD Real farthest() const { return room.farthest(t_max); }

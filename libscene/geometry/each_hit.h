@@ -80,7 +80,7 @@ MASU_HD inline bool crosses(const WatertightRay<Real>& ray, const Triangle<Store
 // has at most one, a sphere or a cone two, or one where only the inside is visible. `front`: the front is
 // met, of a sphere or a cone the outside; where only the inside is visible that is the front. Of a triangle
 // by the half-open rule it is the side that the moved point sees, whose sum over a closed mesh is right;
-// for a sliver that may not be the side that is met (side_met).
+// for a sliver that may not be the side that is met.
 template <unsigned kinds, class TestRay, class Stored, class Act>
 MASU_HD inline void each_hit(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
                              EdgeRule rule, const Act& act) {
@@ -114,13 +114,6 @@ MASU_HD inline void each_hit(const SceneView<Stored>& scene, const TestRay& ray,
                                          if (t > 0) act(t, front);
                                          return false;
                                        });
-}
-
-// Whether the front is met, exactly; `front`: what each_hit() says.
-template <class Real, class Stored>
-MASU_HD inline bool side_met(const SceneView<Stored>& scene, const PreparedRay<Real>& ray,
-                             PrimitiveIndex primitive, bool front) {
-  return primitive < scene.triangle_count ? meets_front(ray.direction, scene.triangles[primitive]) : front;
 }
 
 } // namespace masu

@@ -53,8 +53,7 @@ MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Grid& grid,
     if (results.t != nullptr) results.t[first + k] = static_cast<float>(t);
     if (results.t64 != nullptr) results.t64[first + k] = static_cast<double>(t);
     if (results.primitive != nullptr) results.primitive[first + k] = near.hit.primitive;
-    if (results.front != nullptr)
-      results.front[first + k] = side_met(scene, near.ray, near.hit.primitive, front) ? 1 : 0;
+    if (results.front != nullptr) results.front[first + k] = front ? 1 : 0;
     if (results.has_attributes()) write_attributes(scene, near, results, first + k);
   };
   const bool writes = lists || rules.query == Query::nearest_hit;

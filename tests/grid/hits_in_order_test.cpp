@@ -58,8 +58,7 @@ List<Real> tried(const SceneView<Stored>& scene, const Ray<Real>& ray, const Hit
     if (filter.object_masks != nullptr && (filter.object_masks[object] & filter.ray_mask) == 0) continue;
     each_hit<with_all_kinds>(scene, test_ray, i, filter.edges, [&](Real t, bool front) {
       if (t > near.ray.t_min && t < near.ray.t_max &&
-          (filter.faces == Faces::both ||
-           side_met(scene, test_ray, i, front) == (filter.faces == Faces::front)))
+          (filter.faces == Faces::both || front == (filter.faces == Faces::front)))
         found.push_back({{t + near.skipped, i, front}, t});
     });
   }

@@ -129,10 +129,10 @@ TEST_F(Views, AListMayComeFromStandardInput) {
 }
 
 TEST_F(Views, FilesAreIndependentOfTheNumberOfThreads) {
-  const auto rendered = [&](const char* threads, const Arguments& more) {
-    render(joined({"--turntable", "12", "--size", "40x30", "-o", file("{index}.png"), "--hits",
-                   file("{index}.hits"), "--threads", threads},
-                  more));
+  const auto rendered = [&](const char* threads, const std::string& structure) {
+    expect_run("gridrender",
+               {scene_, structure, "--backend", "cpu", "--turntable", "12", "--size", "40x30", "-o",
+                file("{index}.png"), "--hits", file("{index}.hits"), "--threads", threads});
     std::vector<Bytes> all;
     for (int i = 0; i < 12; ++i) {
       all.push_back(read_bytes(file(fmt::format("{:02}.png", i))));
@@ -140,14 +140,14 @@ TEST_F(Views, FilesAreIndependentOfTheNumberOfThreads) {
     }
     return all;
   };
-  const auto one = rendered("1", {});
+  const auto one = rendered("1", grid_);
   std::set<std::string> distinct;
   for (const Bytes& bytes : one)
     distinct.emplace(bytes.begin(), bytes.end());
   EXPECT_EQ(distinct.size(), one.size());
-  EXPECT_TRUE(rendered("2", {}) == one);
-  EXPECT_TRUE(rendered("7", {}) == one);
-  EXPECT_TRUE(rendered("2", {"--brute-force"}) == one) << "a picture tells of the grid";
+  EXPECT_TRUE(rendered("2", grid_) == one);
+  EXPECT_TRUE(rendered("7", grid_) == one);
+  EXPECT_TRUE(rendered("2", "--brute-force") == one) << "a picture tells of the grid";
 }
 
 TEST_F(Views, StatsOfSeveralViewsAreSums) {
