@@ -15,8 +15,8 @@ struct DeviceChoice {
   std::string devices; // all, cpu, or numbers of GPUs
 
   void add_to(const CommandLine& command);
-  // The GPUs to trace on, or none for the CPU. Throws Error(usage) for what isn't a list of GPUs and for options that contradict each other, Error(device) for
-  // GPUs that are named and aren't there.
+  // The GPUs to trace on, or none for the CPU. Throws Error(usage) for what isn't a list of GPUs and for
+  // options that contradict each other, Error(device) for GPUs that are named and aren't there.
   //
   // Collective. Ranks of one machine share its GPUs out: by default all of them. Where they are chosen
   // automatically, all ranks trace on GPUs, or all on CPUs.
