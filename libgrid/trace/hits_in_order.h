@@ -154,7 +154,7 @@ MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const
     visit(grid, near, scene.primitive_count(), next);
     next.room.sort();
     for (int i = 0; i < next.room.count; ++i) {
-      last = next.room.hits[i];
+      last = next.room.hits[static_cast<std::size_t>(i)];
       act(all++, NearHit<typename M::TestRay>{test_ray, {last.t, last.primitive()}, near.skipped},
           last.front());
     }

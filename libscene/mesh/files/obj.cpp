@@ -174,7 +174,7 @@ private:
   }
   bool read_library(const std::string& name) {
     const std::optional<std::string> library = text_.other_file ? text_.other_file(name) : std::nullopt;
-    if (library) materials_.read(*library, name);
+    if (library) materials_.read(*library, excerpt(name, 128)); // any text may be named a file
     return library.has_value();
   }
 
