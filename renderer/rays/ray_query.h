@@ -78,8 +78,19 @@ MASU_HD inline Ray<double> in_float64(const void* rays, const RayFormat& format,
              ? converted(loaded_numbers(static_cast<const double*>(rays) + first, format.numbers))
              : converted(loaded_numbers(static_cast<const float*>(rays) + first, format.numbers));
 }
+// Whether rays of a list may lose digits.
+template <class Real>
+MASU_HD inline bool may_be_rounded(const RayFormat& format) {
+  return sizeof(Real) < sizeof(double) && (format.is_float64 || !(format.origin == Vec3d{0, 0, 0}));
+}
+
 template <class Real>
 MASU_HD inline Ray<Real> loaded(const void* rays, const RayFormat& format, std::size_t i) {
+  if constexpr (sizeof(Real) == sizeof(float)) { // mostly they are as they are traced
+    if (!may_be_rounded<Real>(format))
+      return loaded_numbers(static_cast<const float*>(rays) + i * static_cast<std::size_t>(format.numbers),
+                            format.numbers);
+  }
   return rounded<Real>(in_float64(rays, format, i));
 }
 
@@ -145,20 +156,15 @@ struct ListedRay {
   double skipped = 0;
 };
 
-// Whether rays of a list may lose digits.
-template <class Real>
-MASU_HD inline bool may_be_rounded(const RayFormat& format) {
-  return sizeof(Real) < sizeof(double) && (format.is_float64 || !(format.origin == Vec3d{0, 0, 0}));
-}
-
 // Ray i of a list as it is traced. `box`: the scene's padded bounds.
 template <class Real, class Stored>
 MASU_HD inline ListedRay<Real> listed_ray(const void* rays, const RayFormat& format, std::size_t i,
                                           const Box<Stored>& box) {
+  if (!may_be_rounded<Real>(format)) return {loaded<Real>(rays, format, i)};
   const Ray<double> given = in_float64(rays, format, i);
   const Ray<Real> ray = rounded<Real>(given);
   const auto largest = static_cast<double>(largest_magnitude(box));
-  if (!may_be_rounded<Real>(format) || !(largest_magnitude(given.origin) > 4 * largest) ||
+  if (!(largest_magnitude(given.origin) > 4 * largest) ||
       (cast<double>(ray.origin) == given.origin && cast<double>(ray.direction) == given.direction) ||
       !is_valid(ray))
     return {ray};
