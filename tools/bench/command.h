@@ -37,7 +37,9 @@ struct Output {
     flush_standard_output();
   }
   void print_json() const {
-    if (as_json) fmt::print("{}\n", json_text(with_provenance(json, device)));
+    if (!as_json) return;
+    fmt::print("{}\n", json_text(with_provenance(json, device)));
+    flush_standard_output(); // what can't be written is the one line of error, before any note
   }
 };
 

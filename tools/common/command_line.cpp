@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -12,6 +13,8 @@
 #include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -103,10 +106,9 @@ std::string line_of(const CLI::Option& option, std::size_t width) {
   if (!value.range.empty()) note(value.range);
   const std::string usual = option.get_default_str();
   if (!usual.empty() && usual != "[]") note("default " + usual); // [] is an empty list
-  std::string excluded;
-  for (const CLI::Option* const other : option.get_excludes())
-    excluded += (excluded.empty() ? "not with " : ", ") + other->get_name();
-  if (!excluded.empty()) note(excluded);
+  std::set<std::string> excluded; // CLI11 has them by their addresses, which differ from run to run
+  for (const CLI::Option* const other : option.get_excludes()) excluded.insert(other->get_name());
+  if (!excluded.empty()) note(fmt::format("not with {}", fmt::join(excluded, ", ")));
   if (!notes.empty()) notes += ")";
   return wrapped(names, option.get_description() + notes, names_width, width);
 }
