@@ -1,7 +1,7 @@
 // Grids of the C interface: built from a scene, or read.
 #include "boundary.h"
-#include "libgrid/build/chosen_structure.h"
-#include "libgrid/build/hierarchy.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/processor.h"
 #include "objects.h"
 
@@ -172,7 +172,7 @@ masu_status masu_grid_describe(const masu_grid* grid, masu_grid_description* des
     const GridRecords records = grid->file->records();
     masu_grid_description described{};
     described.structure = records.is_hierarchy ? MASU_STRUCTURE_BVH : MASU_STRUCTURE_GRID;
-    // As schemas/grid.fbs numbers them.
+    // As schemas/structure.fbs numbers them.
     constexpr masu_merge merges[] = {MASU_MERGE_NONE, MASU_MERGE_X, MASU_MERGE_BALANCE, MASU_MERGE_IRREGULAR,
                                      MASU_MERGE_NONE};
     described.merge = merges[static_cast<int>(grid->file->table().merge())];

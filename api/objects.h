@@ -1,7 +1,7 @@
 // What the C interface's handles are.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libscene/base/host_array.h"
 #include "libscene/file/scene_file.h"
 #include "masu.h"

@@ -1,11 +1,12 @@
 // Scenes of the C interface: from arrays, or a file.
 #include "boundary.h"
-#include "libgrid/build/passes/host_executor.h"
-#include "libgrid/build/passes/move_passes.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libscene/base/processor.h"
 #include "libscene/cuda/host_copies.h"
 #include "libscene/geometry/intersect.h"
 #include "libscene/mesh/indexed_mesh.h"
+#include "libscene/mesh/move_passes.h"
+#include "libscene/passes/host_executor.h"
 #include "objects.h"
 #include "renderer/precision.h"
 
@@ -117,7 +118,7 @@ SceneFile moved_scene(const SceneFile& scene, const SceneView<Stored>& view, con
   TbbExecutor executor;
   const std::uint32_t* const indices = vertices.indices.empty() ? nullptr : vertices.indices.data();
   const MovedVertices<Number> in_host{copies.of(numbers, 3 * vertices.count), indices, scene.origin()};
-  const auto moved = moved_triangles(executor, view, in_host, nullptr, 0);
+  const auto moved = moved_triangles(executor, view, in_host, nullptr, 0, max_hierarchy_reach);
   return scene.with_triangles(std::span<const Triangle<Stored>>(moved.triangles), moved.bounds);
 }
 

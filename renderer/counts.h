@@ -1,7 +1,7 @@
 // What a picture took, counted ray by ray; or not counted, at no cost.
 #pragma once
 
-#include "libgrid/trace/walk.h"
+#include "libgrid/grid/grid_walk.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The one way to trace: a scene and a grid, checked and resident on a device, that answer queries.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/base/host_array.h"
 #include "libscene/cuda/cuda_device.h"

@@ -1,9 +1,9 @@
 // A grid built for a scene file and written, as gridbuild does it.
 #pragma once
 
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
+#include "libgrid/grid/division.h"
+#include "libgrid/structure/builder.h"
 #include "libscene/file/scene_file.h"
 
 namespace masu {

@@ -1,7 +1,7 @@
 // Scene and grid files taken apart, to be written again with invalid contents and correct hashes.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/backend.h"
 #include "tests/refused.h"

@@ -1,11 +1,11 @@
 // Random grids of every kind, and hierarchies.
 #pragma once
 
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/build/hierarchy.h"
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
+#include "libgrid/grid/division.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/statistics/statistics.h"
+#include "libgrid/structure/builder.h"
 #include "tests/stability/test_scene.h"
 
 namespace masu {

@@ -2,7 +2,7 @@
 // and primitives, from faces, from far away.
 #pragma once
 
-#include "libgrid/build/merge.h"
+#include "libgrid/grid/merge.h"
 #include "libscene/geometry/ray.h"
 #include "tests/random_grid.h"
 #include "tests/stability/same_bits.h"

@@ -1,7 +1,7 @@
 // Comparison of grids, byte for byte.
 #pragma once
 
-#include "libgrid/build/build.h"
+#include "libgrid/structure/structure.h"
 #include "tests/same_values.h"
 
 #include <gtest/gtest.h>

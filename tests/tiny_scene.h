@@ -1,7 +1,7 @@
 // A scene with primitives of every kind, and grids for it, small enough for golden bytes.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libscene/file/scene_file.h"
 
 namespace masu {

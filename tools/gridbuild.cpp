@@ -1,8 +1,8 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds; or builds a
 // bounding volume hierarchy instead.
-#include "libgrid/build/chosen_structure.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/statistics.h"
+#include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/file/output_file.h"

@@ -1,7 +1,7 @@
 // The cells of a grid or the boxes of a hierarchy in one form, in scene units: for pictures and for export.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 
 #include <functional>
 #include <optional>

@@ -1,9 +1,9 @@
 // All cells of a grid one by one, uniform and merged alike: for pictures, for export, for tests.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
-#include "libgrid/grid_layout.h"
-#include "libgrid/trace/grid_view.h"
+#include "libgrid/file/structure_file.h"
+#include "libgrid/grid/grid.h"
+#include "libgrid/grid/grid_layout.h"
 
 #include <functional>
 #include <span>
@@ -44,7 +44,7 @@ VoxelBox voxels_covered(const GridLayout& finest, const Boxd& box);
 using CellAction = std::function<void(const GridCell&)>;
 
 // In the order of their numbers. A uniform grid's cells, which are its voxels, take no memory; a merged
-// grid's take 32 bytes each. `cells` as in grid_view.h.
+// grid's take 32 bytes each. `cells` as in grid.h.
 void for_each_cell(const GridView<double>& grid, const CellFilter& filter, const CellAction& act);
 void for_each_cell(const MergedGridView<double>& grid, std::span<const MergedCell> cells,
                    const CellFilter& filter, const CellAction& act);

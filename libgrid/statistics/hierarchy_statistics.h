@@ -1,7 +1,7 @@
 // What a bounding volume hierarchy holds, in numbers.
 #pragma once
 
-#include "libgrid/trace/hierarchy_view.h"
+#include "libgrid/hierarchy/hierarchy.h"
 
 #include <cstdint>
 #include <functional>

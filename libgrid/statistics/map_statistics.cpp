@@ -1,7 +1,7 @@
 #include "libgrid/statistics/map_statistics.h"
 
-#include "libgrid/build/overlap/overlap.h"
-#include "libgrid/grid_layout.h"
+#include "libgrid/grid/grid_layout.h"
+#include "libgrid/grid/overlap/overlap.h"
 #include "libgrid/statistics/statistics.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // meet.
 #pragma once
 
-#include "libgrid/grid_layout.h"
-#include "libgrid/trace/grid_view.h"
+#include "libgrid/grid/grid.h"
+#include "libgrid/grid/grid_layout.h"
 
 #include <span>
 #include <vector>
@@ -34,7 +34,7 @@ struct MapStatistics {
   double mean_expansion = 1;
 };
 
-// Look at all that the map holds. `references` and `cells` as in grid_view.h.
+// Look at all that the map holds. `references` and `cells` as in grid.h.
 MapStatistics map_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references);
 MapStatistics map_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells);
 

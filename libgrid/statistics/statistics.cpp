@@ -1,7 +1,7 @@
 #include "libgrid/statistics/statistics.h"
 
-#include "libgrid/build/builder.h"
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
+#include "libgrid/structure/builder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // What a grid holds, in numbers; and the occupancy of the 2012 thesis (docs/algorithm.md).
 #pragma once
 
-#include "libgrid/build/division.h"
-#include "libgrid/grid_layout.h"
-#include "libgrid/trace/grid_view.h"
+#include "libgrid/grid/division.h"
+#include "libgrid/grid/grid.h"
+#include "libgrid/grid/grid_layout.h"
 #include "libscene/scene_view.h"
 
 #include <span>
@@ -22,7 +22,7 @@ struct GridStatistics {
   std::vector<std::uint64_t> histogram;
 };
 
-// Looks at all that the grid holds. `references` and `cells` as in grid_view.h.
+// Looks at all that the grid holds. `references` and `cells` as in grid.h.
 GridStatistics grid_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references);
 GridStatistics grid_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells);
 

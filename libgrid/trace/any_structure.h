@@ -2,7 +2,7 @@
 // of each kind serves all of them, and both rules by which a search ends.
 #pragma once
 
-#include "libgrid/trace/grid_records.h"
+#include "libgrid/structure/structure_records.h"
 #include "libgrid/trace/trace.h"
 
 namespace masu {

@@ -2,8 +2,8 @@
 // primitive. Either way the same bits come out.
 #pragma once
 
-#include "libgrid/trace/hierarchy_walk.h"
-#include "libgrid/trace/walk.h"
+#include "libgrid/grid/grid_walk.h"
+#include "libgrid/hierarchy/hierarchy_walk.h"
 #include "libscene/geometry/clip.h"
 #include "libscene/geometry/intersect.h"
 

@@ -27,4 +27,10 @@ struct DefaultInitAllocator : std::allocator<T> {
 template <class T>
 using HostArray = std::vector<T, DefaultInitAllocator<T>>;
 
+// What an executor (libscene/passes/executor.h) on the host works in.
+struct HostMemory {
+  template <class T>
+  using Array = HostArray<T>;
+};
+
 } // namespace masu

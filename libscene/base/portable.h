@@ -9,7 +9,7 @@
 #define MASU_HD
 #endif
 
-// A lambda that is called for each of many items, by passes (libgrid/build/passes/executor.h) and checks
+// A lambda that is called for each of many items, by passes (libscene/passes/executor.h) and checks
 // (libscene/file/record_checker.h): compiled for the device where nvcc reads it.
 #ifdef __CUDACC__
 #define MASU_PASS __device__

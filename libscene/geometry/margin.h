@@ -15,7 +15,8 @@
 //  - Spheres (sphere.h): the same subtraction and projection, and a square root: below 60 u M (found: 15).
 //  - Cones (cone.h) are solved about the point where the quadratic's terms are smallest: below 60 u M
 //    (millions of hard cases found none worse).
-//  - Traversal (libgrid/trace/walk.h): the distance of plane i along the ray is one fma of two factors, each
+//  - Traversal (libgrid/grid/grid_walk.h): the distance of plane i along the ray is one fma of two factors,
+//  each
 //    rounded three times: below 14 u M along that axis; the voxel reached at an exit is another fma, below
 //    14 u M too.
 // What moves a ray before it is traced moves it for every grid alike: grids need the tests' and the

@@ -10,7 +10,7 @@ namespace masu {
 
 using PrimitiveIndex = std::uint32_t;
 inline constexpr PrimitiveIndex no_primitive = 0xffffffffU;
-// A scene's: what grids can number (libgrid/trace/grid_view.h).
+// A scene's: what grids can number (libgrid/grid/grid.h).
 inline constexpr std::uint64_t max_primitives = 0x7fffffff;
 
 // `object`: index among the NFF's objects, in its order; `material`: index among the scene's materials.

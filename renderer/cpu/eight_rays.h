@@ -3,7 +3,7 @@
 // most of their time. And tracing them. Host only, with AVX2 and FMA.
 #pragma once
 
-#include "libgrid/trace/eight_walks_avx2.h"
+#include "libgrid/hierarchy/eight_walks_avx2.h"
 #include "renderer/rays/ray_query.h"
 
 #include <algorithm>

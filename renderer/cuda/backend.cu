@@ -1,6 +1,6 @@
 #include "renderer/backend.h"
 
-#include "libgrid/file/grid_checks.h"
+#include "libgrid/file/structure_checks.h"
 #include "libscene/cuda/device_checker.h"
 #include "libscene/file/scene_checks.h"
 #include "renderer/arithmetic.h"

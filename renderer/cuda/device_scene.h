@@ -1,8 +1,8 @@
 // A scene and a grid on a CUDA device: one copy a section, as they lie in the files. CUDA sources only.
 #pragma once
 
-#include "libgrid/build/moved_hierarchy.h"
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
+#include "libgrid/hierarchy/moved_hierarchy.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/cuda/device_primitives.h"
 #include "libscene/geometry/margin.h"

@@ -5,7 +5,7 @@
 // times, and once 16 of them are left, half of its lanes would idle until the longest is done.
 #pragma once
 
-#include "libgrid/trace/hierarchy_walk.h"
+#include "libgrid/hierarchy/hierarchy_walk.h"
 #include "renderer/cuda/warp_rays.h"
 
 namespace masu {

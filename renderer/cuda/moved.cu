@@ -1,5 +1,5 @@
 // A tracer's files on a device, moved to other vertices.
-#include "libgrid/build/passes/move_passes.h"
+#include "libscene/mesh/move_passes.h"
 #include "renderer/cuda/queue.h"
 
 namespace masu {

@@ -2,7 +2,7 @@
 // only).
 #pragma once
 
-#include "libgrid/trace/walk.h"
+#include "libgrid/grid/grid_walk.h"
 #include "renderer/cuda/kernel.h"
 
 namespace masu {

@@ -10,7 +10,7 @@
 //    remain of them are split over the lanes.
 //
 // Results are the same: which hit is nearest, ties included, depends neither on the order of tests nor on the
-// lane that makes them, and a walk may begin anywhere along the ray (libgrid/trace/walk.h).
+// lane that makes them, and a walk may begin anywhere along the ray (libgrid/grid/grid_walk.h).
 #pragma once
 
 #include "renderer/cuda/culling.h"

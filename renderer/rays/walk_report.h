@@ -3,7 +3,7 @@
 // the CPU, whatever device the tracer has.
 #pragma once
 
-#include "libgrid/grid_layout.h"
+#include "libgrid/grid/grid_layout.h"
 #include "libgrid/trace/any_structure.h"
 #include "renderer/tracer.h"
 

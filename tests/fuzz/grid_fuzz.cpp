@@ -1,6 +1,6 @@
 // libFuzzer target: any bytes as a grid file throw Error, or all indices are valid. Seeds: files made by
 // gridbuild.
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/statistics.h"
 #include "libgrid/trace/trace.h"

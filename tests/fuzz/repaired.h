@@ -1,7 +1,7 @@
 // Files in memory, and containers with corrected hashes, so that fuzzing reaches the checks behind them.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libscene/file/container.h"
 #include "libscene/file/output_file.h"
 #include "tests/memory_file.h"

@@ -1,7 +1,7 @@
 // Grids of a builder against the CPU's, byte for byte: one text of tests for every builder there is.
 #pragma once
 
-#include "libgrid/build/builder.h"
+#include "libgrid/structure/builder.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"

@@ -1,6 +1,6 @@
 // The choice among structures by tracing some rays through each.
-#include "libgrid/build/chosen_structure.h"
-#include "libgrid/build/sampled_costs.h"
+#include "libgrid/structure/chosen_structure.h"
+#include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/error.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"

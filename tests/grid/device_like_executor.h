@@ -1,9 +1,9 @@
-// The passes (libgrid/build/passes/executor.h) that a device runs, as plain loops on one core: what is its
+// The passes (libscene/passes/executor.h) that a device runs, as plain loops on one core: what is its
 // own there is so here.
 #pragma once
 
-#include "libgrid/build/passes/host_executor.h"
-#include "libgrid/build/passes/merge_passes.h"
+#include "libgrid/grid/merge_passes.h"
+#include "libscene/passes/host_executor.h"
 
 #include <algorithm>
 #include <numeric>

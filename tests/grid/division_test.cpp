@@ -1,6 +1,6 @@
 // How many voxels each rule asks for, and how rules are written.
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
+#include "libgrid/grid/division.h"
+#include "libgrid/structure/builder.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"

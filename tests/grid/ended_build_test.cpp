@@ -1,5 +1,5 @@
 // Builds that their progress ends, at any time.
-#include "libgrid/build/chosen_structure.h"
+#include "libgrid/structure/chosen_structure.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/same_grid.h"

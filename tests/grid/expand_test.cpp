@@ -1,6 +1,6 @@
 // Expansion, against its definition followed voxel by voxel; and what it compares lists by.
-#include "libgrid/build/passes/expand_passes.h"
-#include "libgrid/build/passes/host_executor.h"
+#include "libgrid/grid/expand_passes.h"
+#include "libscene/passes/host_executor.h"
 #include "tests/grid/lists.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"

@@ -1,7 +1,7 @@
 // What lets a hierarchy's results be those of trying every primitive (walk_test.cpp): boxes contain what they
 // hold, on every way of computing them, and are found to be met.
-#include "libgrid/build/hierarchy.h"
-#include "libgrid/build/passes/node_boxes.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/hierarchy/node_boxes.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/trace/trace.h"
 #include "tests/random_ray.h"

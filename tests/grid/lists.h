@@ -1,8 +1,8 @@
 // What voxels and cells list: as a grid tells it, and as each primitive says of each voxel.
 #pragma once
 
-#include "libgrid/build/overlap/overlap.h"
-#include "libgrid/trace/grid_view.h"
+#include "libgrid/grid/grid.h"
+#include "libgrid/grid/overlap/overlap.h"
 #include "tests/stability/test_scene.h"
 
 #include <algorithm>

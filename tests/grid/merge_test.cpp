@@ -1,6 +1,6 @@
 // What the cells of merged grids hold, against what each primitive says of each voxel.
-#include "libgrid/build/builder.h"
-#include "libgrid/build/passes/merge_passes.h"
+#include "libgrid/grid/merge_passes.h"
+#include "libgrid/structure/builder.h"
 #include "libscene/base/error.h"
 #include "tests/grid/device_like_executor.h"
 #include "tests/grid/lists.h"

@@ -1,6 +1,6 @@
 // However a cube is divided into cells, its map leads every voxel to its own.
-#include "libgrid/build/passes/host_executor.h"
-#include "libgrid/build/passes/merge_passes.h"
+#include "libgrid/grid/merge_passes.h"
+#include "libscene/passes/host_executor.h"
 #include "tests/random_test.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ void divide(Chance& chance, const VoxelBox& box, int max_cuts, std::vector<Voxel
   divide(chance, above, max_cuts - 1, cells);
 }
 
-// Follows the map as grid_view.h says, and counts each word that it comes by.
+// Follows the map as grid.h says, and counts each word that it comes by.
 class Follower {
 public:
   Follower(const HostArray<std::uint32_t>& words, std::size_t own) : words_(words), met_(words.size(), 0) {

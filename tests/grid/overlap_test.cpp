@@ -1,8 +1,8 @@
 // Which voxels list a primitive: all that its surface touches, and under the exact test no others; against an
 // oracle that clips triangles, measures distances and cuts voxels up.
-#include "libgrid/build/division.h"
-#include "libgrid/build/overlap/clipped_bounds.h"
-#include "libgrid/build/overlap/overlap.h"
+#include "libgrid/grid/division.h"
+#include "libgrid/grid/overlap/clipped_bounds.h"
+#include "libgrid/grid/overlap/overlap.h"
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
 #include "tests/stability/oracle/oracle.h"

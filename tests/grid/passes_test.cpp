@@ -1,9 +1,9 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU; and sorting.
-#include "libgrid/build/passes/host_executor.h"
-#include "libgrid/build/passes/leaf_passes.h"
-#include "libgrid/build/passes/move_passes.h"
-#include "libgrid/build/passes/refit_passes.h"
-#include "libgrid/build/passes/top_down_passes.h"
+#include "libgrid/hierarchy/leaf_passes.h"
+#include "libgrid/hierarchy/refit_passes.h"
+#include "libgrid/hierarchy/top_down_passes.h"
+#include "libscene/mesh/move_passes.h"
+#include "libscene/passes/host_executor.h"
 #include "tests/grid/builder_comparison.h"
 #include "tests/grid/device_like_executor.h"
 
@@ -75,8 +75,8 @@ TYPED_TEST(MovedTriangles, AreTheSameByAnyExecutor) {
       index = static_cast<std::uint32_t>(chance.index(3 * count));
     const MovedVertices<double> moved{vertices.data(), chance.one_in(2) ? indices.data() : nullptr,
                                       chance.one_in(2) ? Vec3d{} : chance.in_cube(1)};
-    const auto here = moved_triangles(host, scene.view(), moved, nullptr, 0);
-    const auto there = moved_triangles(executor, scene.view(), moved, nullptr, 0);
+    const auto here = moved_triangles(host, scene.view(), moved, nullptr, 0, max_hierarchy_reach);
+    const auto there = moved_triangles(executor, scene.view(), moved, nullptr, 0, max_hierarchy_reach);
     EXPECT_EQ(here.bounds.min, there.bounds.min);
     EXPECT_EQ(here.bounds.max, there.bounds.max);
     ASSERT_TRUE(same_values(here.triangles, there.triangles));
@@ -86,10 +86,12 @@ TYPED_TEST(MovedTriangles, AreTheSameByAnyExecutor) {
     // All but the last are referred to.
     std::vector<PrimitiveIndex> listed(count + 1);
     std::iota(listed.begin(), listed.end(), PrimitiveIndex{0});
-    EXPECT_FALSE(moved_triangles(executor, scene.view(), moved, listed.data(), count).is_missing);
+    EXPECT_FALSE(
+        moved_triangles(executor, scene.view(), moved, listed.data(), count, max_hierarchy_reach).is_missing);
     if (count == 0) continue;
     const SceneTriangle last = moved.face(count - 1);
-    EXPECT_EQ(moved_triangles(executor, scene.view(), moved, listed.data(), count - 1).is_missing,
+    EXPECT_EQ(moved_triangles(executor, scene.view(), moved, listed.data(), count - 1, max_hierarchy_reach)
+                  .is_missing,
               has_distinct_corners(last.a, last.b, last.c));
   }
 }

@@ -1,6 +1,6 @@
 // A grid's cells one by one, and those that a plane cuts, against its map looked up voxel by voxel; the boxes
 // of a hierarchy that a plane cuts, against all of them.
-#include "libgrid/build/hierarchy.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/statistics/boxes.h"
 #include "libgrid/statistics/slice.h"
 #include "libgrid/statistics/statistics.h"

@@ -1,6 +1,6 @@
 // Results are independent of the structure: through any grid and any hierarchy a ray finds the same bits as
 // by trying every primitive. And walks go forward, and end.
-#include "libgrid/build/hierarchy.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "tests/grid/walk_comparison.h"
 #include "tests/random_grid.h"

@@ -1,7 +1,7 @@
 // Faces of meshes: those of which two corners coincide keep their numbers and are never hit, through any grid
 // and by any arithmetic; those whose corners are on a line close a mesh; and hits are named by the faces that
 // triangles are of.
-#include "libgrid/build/hierarchy.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "libscene/mesh/triangulate.h"
 #include "tests/random_grid.h"

@@ -1,7 +1,7 @@
 // Files that change while they are read or used, and inputs that aren't files.
 #include "libscene/file/input_file.h"
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libscene/file/input_stream.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"

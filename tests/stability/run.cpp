@@ -1,8 +1,8 @@
 #include "tests/stability/run.h"
 
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/build/hierarchy.h"
+#include "libgrid/grid/division.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/structure/builder.h"
 #include "libgrid/trace/any_structure.h"
 #include "renderer/dispatch.h"
 #include "tests/stability/oracle/embree_scene.h"

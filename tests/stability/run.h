@@ -1,7 +1,7 @@
 // Runs sweeps: traces their rays in every mode, and compares the results with the oracle's.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "tests/stability/oracle/disagreement.h"
 #include "tests/stability/sweeps/sweep.h"
 #include "tests/stability/tally.h"

@@ -1,5 +1,5 @@
 // Files larger than 4 GiB, which no 32-bit number can address. Each needs some 5 GB of memory and of disk.
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/file/scene_file.h"
 #include "tests/temporary_folder.h"

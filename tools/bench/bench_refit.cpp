@@ -1,7 +1,7 @@
 // What hierarchies cost to build and to refit where the scene was bent, and what rays take through them.
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/build/sampled_costs.h"
+#include "libgrid/grid/division.h"
+#include "libgrid/structure/builder.h"
+#include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/stopwatch.h"
 #include "tests/stability/test_scene.h"
 #include "tools/bench/bench.h"

@@ -107,7 +107,8 @@ std::string line_of(const CLI::Option& option, std::size_t width) {
   const std::string usual = option.get_default_str();
   if (!usual.empty() && usual != "[]") note("default " + usual); // [] is an empty list
   std::set<std::string> excluded; // CLI11 has them by their addresses, which differ from run to run
-  for (const CLI::Option* const other : option.get_excludes()) excluded.insert(other->get_name());
+  for (const CLI::Option* const other : option.get_excludes())
+    excluded.insert(other->get_name());
   if (!excluded.empty()) note(fmt::format("not with {}", fmt::join(excluded, ", ")));
   if (!notes.empty()) notes += ")";
   return wrapped(names, option.get_description() + notes, names_width, width);

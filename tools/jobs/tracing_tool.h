@@ -2,7 +2,7 @@
 // processes, and the reports of it.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libscene/file/mapping_faults.h"
 #include "renderer/tracer.h"
 #include "tools/jobs/device_choice.h"

@@ -1,7 +1,7 @@
 // Statistics of a grid or a hierarchy: what gridstat prints, and the keys of gridstat --json.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -2,7 +2,7 @@
 // hold.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libgrid/statistics/boxes.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/image/jpeg_file.h"

@@ -1,8 +1,8 @@
 #include "tests/stability/oracle/backends.h"
 
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/build/hierarchy.h"
+#include "libgrid/grid/division.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/structure/builder.h"
 #include "libscene/file/scene_file.h"
 #include "tests/stability/same_bits.h"
 

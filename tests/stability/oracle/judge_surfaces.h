@@ -1,7 +1,7 @@
 // Checks of what follows a hit: rays that leave surfaces, glass, and Snell's law.
 #pragma once
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/file/structure_file.h"
 #include "libscene/geometry/surface.h"
 #include "renderer/counts.h"
 #include "renderer/dispatch.h"

@@ -1,6 +1,6 @@
 #include "tests/stability/sweeps/picture_sweeps.h"
 
-#include "libgrid/build/chosen_structure.h"
+#include "libgrid/structure/chosen_structure.h"
 #include "tests/picture_scenes.h"
 #include "tests/stability/sweeps/sweep.h"
 

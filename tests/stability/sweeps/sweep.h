@@ -2,7 +2,7 @@
 // the rays with correct results.
 #pragma once
 
-#include "libgrid/build/builder.h"
+#include "libgrid/structure/builder.h"
 #include "renderer/tracer.h"
 #include "tests/stability/test_scene.h"
 

@@ -1,5 +1,5 @@
 // Rays and surfaces relative to voxels.
-#include "libgrid/build/division.h"
+#include "libgrid/grid/division.h"
 #include "tests/stability/sweeps/sweep.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 choice.py measure BIN gpu|cpu SCENE...   builds what `gridbuild --structure fastest` considers for each scene file, and
                                          measures the rates of rays through each, in the working folder; prints JSON
-choice.py fit FILE                       prints the unit costs (libgrid/build/sampled_costs.cpp) by which the choice would
+choice.py fit FILE                       prints the unit costs (libgrid/structure/sampled_costs.cpp) by which the choice would
                                          be best for what was measured, `-`: standard input
 
 Needs the Python standard library alone.

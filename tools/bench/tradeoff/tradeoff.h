@@ -1,7 +1,7 @@
 // What `gridbench tradeoff` measures: one row for each scene, setup and configuration.
 #pragma once
 
-#include "libgrid/build/chosen_structure.h"
+#include "libgrid/structure/chosen_structure.h"
 #include "renderer/tracer.h"
 
 #include <string>

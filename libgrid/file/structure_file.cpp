@@ -1,0 +1,146 @@
+#include "libgrid/file/structure_file.h"
+
+#include "libgrid/file/structure_checks.h"
+#include "libscene/base/error.h"
+#include "libscene/local_origin.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace masu {
+namespace {
+
+std::vector<std::uint8_t> grid_table(const Grid& grid, const GridProvenance& provenance,
+                                     const std::vector<fb::Section>& section_layout) {
+  flatbuffers::FlatBufferBuilder builder;
+  const auto sections = builder.CreateVectorOfStructs(section_layout);
+  const auto rule = builder.CreateString(provenance.division_rule);
+  const auto merge_rule = builder.CreateString(provenance.merge_rule);
+  const fb::Hash geometry_hash(provenance.geometry_hash.low, provenance.geometry_hash.high);
+  const fb::Box space = table_box(grid.layout.space);
+  const fb::Vec3 origin = table_vector(provenance.origin);
+  const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.layout.division);
+  const fb::Division division(n.x, n.y, n.z);
+  builder.Finish(fb::CreateGrid(builder, &geometry_hash, provenance.primitives, &space, grid.layout.margin,
+                                &division, static_cast<std::uint32_t>(grid.block_log2),
+                                static_cast<std::uint32_t>(grid.nested_log2),
+                                provenance.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
+                                provenance.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
+                                static_cast<fb::Merge>(grid.kind), rule, merge_rule, provenance.build_seconds,
+                                sections, provenance.origin == Vec3d{0, 0, 0} ? nullptr : &origin));
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+// A space that can be divided: finite, and with sides whose inverses are.
+bool is_divisible(const Boxd& space) {
+  const Vec3d &low = space.min, &high = space.max;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::isfinite(low[axis]) && std::isfinite(high[axis]) && high[axis] - low[axis] >= 1e-300 &&
+          high[axis] - low[axis] <= 1e300))
+      return false;
+  }
+  return true;
+}
+
+std::array<SectionData, 4> sections_of(const Grid& grid) {
+  const auto section = [](fb::GridSection kind, const auto& records) {
+    return section_data(static_cast<std::uint32_t>(kind), std::span(records));
+  };
+  return {section(fb::GridSection::voxel_map, grid.voxel_map), section(fb::GridSection::cells, grid.cells),
+          section(fb::GridSection::references, grid.references), section(fb::GridSection::nodes, grid.nodes)};
+}
+
+} // namespace
+
+void write_grid(const Grid& grid, const GridProvenance& provenance, const std::string& path) {
+  const auto sections = sections_of(grid);
+  const auto section_layout = lay_out(sections);
+  write_container(path, grid_file_kind, grid_table(grid, provenance, section_layout), sections,
+                  section_layout);
+}
+
+GridFile grid_in_memory(const Grid& grid, const GridProvenance& provenance) {
+  return GridFile(
+      ContainerFile(make_container(grid_file_kind, sections_of(grid),
+                                   [&](const auto& layout) { return grid_table(grid, provenance, layout); }),
+                    "grid"));
+}
+
+GridFile::GridFile(const std::string& path, Residence residence)
+    : GridFile(ContainerFile(path, grid_file_kind, residence)) {}
+
+GridFile::GridFile(ContainerFile container) : TableFile(std::move(container)) {
+  const auto axis_good = [](std::uint32_t voxels) { return voxels >= 1 && voxels <= largest_division; };
+  const fb::Division& n = *table_->division();
+  check(axis_good(n.x()) && axis_good(n.y()) && axis_good(n.z()), "its division is impossible");
+  check(is_divisible(box_of(*table_->space())), "its space is impossible");
+  check(is_finite(origin()) && largest_magnitude(origin()) <= max_origin, "its origin is invalid");
+  check(table_->block_log2() <= 5, "its blocks are impossible");
+  container_.read_sections(sections());
+  check_sizes();
+  if (residence() != Residence::file) {
+    const char* const fault = fault_of(HostChecker{}, records());
+    check(fault == nullptr, fault);
+  }
+  container_.set_validated();
+}
+
+void GridFile::check_sizes() const {
+  const GridRecords held = records();
+  const std::uint64_t words = held.words;
+  const Vec3i n = held.layout.division;
+  bool good = false;
+  check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
+  if (is_hierarchy()) {
+    check(held.node_count > 0 && words == 0 && held.cell_count == 0 && voxel_count(n) == 1,
+          "it has no hierarchy");
+    return;
+  }
+  check(held.node_count == 0, "its table is damaged");
+  if (is_merged()) {
+    const auto nested_log2 = table_->nested_log2();
+    good = nested_log2 <= 15 && (std::max({n.x, n.y, n.z}) << nested_log2) <= largest_division &&
+           words >= voxel_count(n) && words <= max_numbered + 1;
+  } else {
+    const auto block_log2 = static_cast<std::int32_t>(table_->block_log2());
+    const std::uint64_t blocks = voxel_count(blocks_of(n, block_log2));
+    good = words >= blocks && (words - blocks) % (std::uint64_t{1} << (3 * block_log2)) == 0 &&
+           (block_log2 > 0 || words == blocks);
+  }
+  check(good, "its voxel map has the wrong size");
+}
+
+Vec3d GridFile::origin() const {
+  return table_->origin() != nullptr ? vector_of(*table_->origin()) : Vec3d{0, 0, 0};
+}
+
+GridLayout GridFile::layout() const {
+  const fb::Division& n = *table_->division();
+  return {box_of(*table_->space()), cast<std::int32_t>(Vec3<std::uint32_t>{n.x(), n.y(), n.z()}),
+          table_->margin()};
+}
+
+GridRecords GridFile::records() const {
+  return {voxel_map().data(),
+          cells().data(),
+          references().data(),
+          nodes().data(),
+          count<std::uint32_t>(fb::GridSection::voxel_map),
+          count<MergedCell>(fb::GridSection::cells),
+          count<PrimitiveIndex>(fb::GridSection::references),
+          count<HierarchyNode>(fb::GridSection::nodes),
+          table_->primitives(),
+          is_hierarchy(),
+          is_merged(),
+          layout(),
+          static_cast<std::int32_t>(table_->block_log2()),
+          static_cast<std::int32_t>(table_->nested_log2())};
+}
+
+void GridFile::check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const {
+  if (hash_of(*table_->geometry_hash()) != geometry_hash || table_->primitives() != primitives)
+    throw Error(ErrorCode::input, path(), "was built from another geometry: build it again with gridbuild");
+}
+
+} // namespace masu

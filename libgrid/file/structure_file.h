@@ -1,0 +1,84 @@
+// The grid file: a container (libscene/file/container.h) whose table is schemas/structure.fbs.
+#pragma once
+
+#include "libgrid/grid/division.h"
+#include "libgrid/structure/structure.h"
+#include "libscene/file/container.h"
+#include "schemas/structure_generated.h"
+
+#include <string>
+
+namespace masu {
+
+inline constexpr FileKind grid_file_kind{
+    {'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 4, "grid", "build it again with gridbuild"};
+
+// How a grid came about, as its file tells it.
+struct GridProvenance {
+  Hash geometry_hash; // the scene's (scene_file.h)
+  std::uint64_t primitives = 0;
+  Vec3d origin{0, 0, 0}; // likewise: where it is in the world (local_origin.h)
+  SpaceRule space_rule{};
+  Overlap overlap{};
+  std::string division_rule;
+  std::string merge_rule{};
+  double build_seconds = -1; // -1: not recorded, so that equal builds give equal files
+};
+
+// Writes the grid to `path`, whole or not at all. Throws Error(output).
+void write_grid(const Grid& grid, const GridProvenance& provenance, const std::string& path);
+
+class GridFile;
+
+// The same in memory: a grid file that was never written.
+GridFile grid_in_memory(const Grid& grid, const GridProvenance& provenance);
+
+// A grid file, checked: every index in it can be followed. Of one whose records stay in the file, only the
+// table is; who copies them checks them (structure_checks.h).
+class GridFile : public TableFile<fb::Grid, fb::GridSection> {
+public:
+  // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
+  explicit GridFile(const std::string& path, Residence residence = Residence::memory);
+
+  // Of the scene that it was built from: the point in the world that all places are relative to.
+  Vec3d origin() const;
+  GridLayout layout() const;
+  bool is_hierarchy() const { return table_->merge() == fb::Merge::hierarchy; }
+  bool is_merged() const { return table_->merge() != fb::Merge::none && !is_hierarchy(); }
+  std::span<const std::uint32_t> voxel_map() const {
+    return TableFile::records<std::uint32_t>(fb::GridSection::voxel_map);
+  }
+  std::span<const MergedCell> cells() const { return TableFile::records<MergedCell>(fb::GridSection::cells); }
+  std::span<const PrimitiveIndex> references() const {
+    return TableFile::records<PrimitiveIndex>(fb::GridSection::references);
+  }
+  std::span<const HierarchyNode> nodes() const {
+    return TableFile::records<HierarchyNode>(fb::GridSection::nodes);
+  }
+  // The same arrays, and how long they are also where the records stay in the file.
+  GridRecords records() const;
+
+  // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
+  void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
+
+  // Point into its memory (structure_records.h).
+  template <class Real>
+  GridView<Real> view() const {
+    return view_of<Real>(records());
+  }
+  template <class Real>
+  MergedGridView<Real> merged_view() const {
+    return merged_view_of<Real>(records());
+  }
+  template <class Real>
+  HierarchyView<Real> hierarchy_view() const {
+    return hierarchy_view_of<Real>(records());
+  }
+
+private:
+  friend GridFile grid_in_memory(const Grid&, const GridProvenance&);
+  explicit GridFile(ContainerFile container);
+  void check_sizes() const;
+};
+
+} // namespace masu

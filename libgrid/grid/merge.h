@@ -1,0 +1,40 @@
+// Grids whose cells are boxes of several voxels: their cells, their limits, and building them on the host.
+#pragma once
+
+#include "libgrid/grid/splitter.h"
+#include "libgrid/structure/structure.h"
+#include "libscene/base/progress_monitor.h"
+
+namespace masu {
+
+// The most voxels of a division whose grid is to be merged: its map has a word for each.
+inline constexpr std::uint64_t max_merged_voxels = std::uint64_t{1} << 28;
+
+inline constexpr std::int32_t max_plane = 65535; // a cell's box has 16 bits for it
+
+MASU_HD inline MergedCell packed(const VoxelBox& box, std::uint32_t list) {
+  const auto range = [&](int axis) {
+    return static_cast<std::uint32_t>(box.first[axis]) | static_cast<std::uint32_t>(box.end[axis]) << 16;
+  };
+  return {range(0), range(1), range(2), list};
+}
+
+// How an irregular grid's voxels are divided further: as often as planes can be numbered.
+std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options);
+
+inline constexpr const char* too_many_cells = "more than 2^31 cells or references";
+inline constexpr const char* too_many_fragments = "lists that hardly get shorter where they are divided";
+
+// What exceeds a limit, or nullptr: before building, for too many voxels; and for what has become too large,
+// the map being of `words` words, the first top_words of them its top level.
+const char* exceeded_by_division(const Vec3i& division);
+const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
+                              std::uint64_t words, std::uint64_t max_words = max_nested_words);
+
+// Of kind x, balance or irregular. Independent of the number of threads. Throws Error(input) for more
+// primitives than grids can number. `progress` gets shares of the work.
+template <class Stored>
+Grid merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                 const GridOptions& options, ProgressMonitor* progress = nullptr);
+
+} // namespace masu

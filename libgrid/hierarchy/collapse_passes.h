@@ -1,0 +1,296 @@
+// From a binary hierarchy to one of eight boxes per node, on whatever executor (executor.h): to the cheapest
+// nodes that it can be collapsed to, by dynamic programming (Ylitie, Karras & Laine, HPG 2017):
+//
+//   1. costs   of each binary node, by whoever makes it, from its children's (collapse_costs())
+//   2. levels  of nodes, from the root down: which binary nodes their boxes are of
+//   3. sizes   how many nodes are in a node's subtree, from the lowest level up
+//   4. write   nodes and references, from the root down: depth first, a node's nodes side by side
+//
+// No byte of the result depends on the executor, its number of threads, or the numbers of binary nodes.
+#pragma once
+
+#include "libgrid/grid/uniform_passes.h"
+#include "libgrid/hierarchy/node_boxes.h"
+
+#include <utility>
+#include <vector>
+
+namespace masu {
+
+struct alignas(16) BinaryNode {
+  Vec3f min;
+  std::uint32_t index; // a leaf's primitive; else the left child's number, which the right one's follows
+  Vec3f max;
+  std::uint32_t count; // of references in it; 1: a leaf
+
+  MASU_HD Boxf box() const { return {min, max}; }
+};
+static_assert(sizeof(BinaryNode) == 32);
+
+// How a binary node is collapsed where its contents may take up to 2 … 8 boxes of a node: how many of them go
+// to its left, 0 where fewer boxes cost no more, 3 bits each; and whether in one box they are references.
+struct CollapseChoice {
+  std::uint32_t bits;
+
+  MASU_HD std::uint32_t to_left(std::uint32_t boxes) const { return bits >> 3 * (boxes - 2) & 7; }
+  MASU_HD bool is_leaf() const { return bits >> 31 != 0; }
+};
+
+struct alignas(16) CollapseCosts {
+  CollapseChoice choice;
+  float cost[boxes_per_node - 1]; // [i]: the least in up to i + 1 boxes, in areas
+
+  MASU_HD float in(std::uint32_t boxes) const { return cost[boxes - 1]; }
+};
+static_assert(sizeof(CollapseCosts) == 32);
+
+// Of a test, relative to a visit to a node.
+inline constexpr float test_cost = 0.3F;
+
+MASU_HD inline CollapseCosts collapse_costs_of_leaf(const BinaryNode& node) {
+  CollapseCosts costs{{1U << 31}, {}};
+  for (float& cost : costs.cost)
+    cost = half_area(node.box()) * test_cost;
+  return costs;
+}
+
+MASU_HD inline CollapseCosts collapse_costs(const BinaryNode& node, const CollapseCosts& left,
+                                            const CollapseCosts& right) {
+  const float area = half_area(node.box()), as_leaf = node.count <= max_references_per_box
+                                                          ? area * static_cast<float>(node.count) * test_cost
+                                                          : INFINITY;
+  std::uint32_t bits = 0;
+  float distributed[boxes_per_node + 1];
+  for (std::uint32_t boxes = 2; boxes <= boxes_per_node; ++boxes) {
+    distributed[boxes] = INFINITY; // which the costs of vast boxes may add up to, too
+    std::uint32_t most_left = 1;
+    for (std::uint32_t to_left = 1; to_left < boxes; ++to_left) {
+      const float cost = left.in(to_left) + right.in(boxes - to_left);
+      if (!(cost < distributed[boxes])) continue;
+      distributed[boxes] = cost;
+      most_left = to_left;
+    }
+    bits |= most_left << 3 * (boxes - 2);
+  }
+  const float as_node = distributed[boxes_per_node] + area;
+  CollapseCosts costs{};
+  costs.cost[0] = std::min(as_leaf, as_node);
+  if (as_leaf <= as_node) bits |= 1U << 31;
+  for (std::uint32_t boxes = 2; boxes < boxes_per_node; ++boxes) {
+    const bool pays = distributed[boxes] < costs.in(boxes - 1);
+    costs.cost[boxes - 1] = pays ? distributed[boxes] : costs.in(boxes - 1);
+    if (!pays) bits &= ~(7U << 3 * (boxes - 2));
+  }
+  costs.choice = {bits};
+  return costs;
+}
+
+// In an executor's memory. Node 0 is the root; there are none for no primitives.
+template <class Executor>
+struct BinaryHierarchy {
+  ArrayOf<Executor, BinaryNode> nodes{};
+  ArrayOf<Executor, CollapseChoice> choices{};
+};
+
+struct BinaryView {
+  const BinaryNode* nodes;
+  const CollapseChoice* choices;
+};
+
+// The binary nodes that a node's boxes are of, and which of them are nodes again.
+struct CollapsedNode {
+  std::uint32_t boxes[boxes_per_node];
+  std::uint32_t count, nodes; // nodes: a bit each
+};
+
+MASU_HD inline CollapsedNode collapsed(const BinaryView& binary, std::uint32_t root) {
+  CollapsedNode node{};
+  const auto add = [&](std::uint32_t number, bool is_leaf) {
+    if (!is_leaf) node.nodes |= 1U << node.count;
+    node.boxes[node.count++] = number;
+  };
+  if (binary.choices[root].is_leaf()) { // a root: a node of one box
+    add(root, true);
+    return node;
+  }
+  struct Part {
+    std::uint32_t number, boxes;
+  } stack[boxes_per_node] = {{root, boxes_per_node}};
+  for (int height = 1; height > 0;) {
+    Part part = stack[--height];
+    const CollapseChoice choice = binary.choices[part.number];
+    while (part.boxes > 1 && choice.to_left(part.boxes) == 0)
+      --part.boxes;
+    if (part.boxes == 1) {
+      add(part.number, choice.is_leaf());
+      continue;
+    }
+    const std::uint32_t left = binary.nodes[part.number].index, to_left = choice.to_left(part.boxes);
+    stack[height++] = {left + 1, part.boxes - to_left};
+    stack[height++] = {left, to_left};
+  }
+  return node;
+}
+
+// Where a node is written, and its nodes and references.
+struct NodePlace {
+  std::uint32_t node, first_node, first_reference;
+};
+
+// Writes a binary leaf or its few references, and returns how many they are.
+MASU_HD inline std::uint32_t write_references(const BinaryView& binary, std::uint32_t number,
+                                              PrimitiveIndex* references) {
+  std::uint32_t stack[max_references_per_box] = {number}, count = 0;
+  for (int height = 1; height > 0;) {
+    const BinaryNode& node = binary.nodes[stack[--height]];
+    if (node.count == 1) {
+      references[count++] = node.index;
+    } else {
+      stack[height++] = node.index + 1;
+      stack[height++] = node.index;
+    }
+  }
+  return count;
+}
+
+// A node, and the references in its boxes; returns how many they are.
+MASU_HD inline std::uint32_t write_node(const BinaryView& binary, std::uint32_t root,
+                                        const CollapsedNode& from, const NodePlace& place,
+                                        HierarchyNode* nodes, PrimitiveIndex* references) {
+  HierarchyNode node{};
+  node.first_node = place.first_node;
+  node.first_reference = place.first_reference;
+  const NodeUnits units(binary.nodes[root].box(), node);
+  std::uint32_t listed = 0;
+  for (std::uint32_t slot = 0; slot < from.count; ++slot) {
+    const BinaryNode& held = binary.nodes[from.boxes[slot]];
+    units.add_planes(static_cast<int>(slot), held.box(), node);
+    std::uint32_t content = node_slot | slot;
+    if ((from.nodes >> slot & 1) != 0) {
+      node.exponents |= 1U << (24 + slot);
+    } else {
+      content = ((1U << held.count) - 1) << 5 | listed;
+      listed += write_references(binary, from.boxes[slot], references + place.first_reference + listed);
+    }
+    node.slots[slot / 4] |= content << slot % 4 * 8;
+  }
+  nodes[place.node] = node;
+  return listed;
+}
+
+// Nodes of one depth; their nodes follow each other in the next level.
+template <class Executor>
+struct CollapsedLevel {
+  ArrayOf<Executor, std::uint32_t> roots{}; // binary nodes
+  ArrayOf<Executor, CollapsedNode> nodes{};
+  ArrayOf<Executor, std::uint32_t> first_child{}; // in the next level; one more: where the last one's end
+  ArrayOf<Executor, std::uint32_t> sizes{};       // nodes in the subtree
+};
+
+template <class Executor>
+CollapsedLevel<Executor> collapsed_level(Executor& executor, const BinaryView& binary,
+                                         ArrayOf<Executor, std::uint32_t> roots) {
+  CollapsedLevel<Executor> level;
+  const std::uint64_t count = roots.size();
+  level.roots = std::move(roots);
+  level.nodes = executor.template array<CollapsedNode>(count);
+  CollapsedNode* const node = level.nodes.data();
+  const std::uint32_t* const root = level.roots.data();
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { node[i] = collapsed(binary, root[i]); });
+  level.first_child =
+      sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) { return count_bits(node[i].nodes); });
+  return level;
+}
+
+// The binary nodes of the next level.
+template <class Executor>
+ArrayOf<Executor, std::uint32_t> child_roots(Executor& executor, const CollapsedLevel<Executor>& level) {
+  const std::uint64_t count = level.roots.size();
+  auto roots = executor.template array<std::uint32_t>(executor.value(level.first_child, count));
+  std::uint32_t* const root = roots.data();
+  const CollapsedNode* const node = level.nodes.data();
+  const std::uint32_t* const first_child = level.first_child.data();
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    std::uint32_t child = first_child[i];
+    for (std::uint32_t slot = 0; slot < node[i].count; ++slot)
+      if ((node[i].nodes >> slot & 1) != 0) root[child++] = node[i].boxes[slot];
+  });
+  return roots;
+}
+
+// `below`: null at the lowest level.
+template <class Executor>
+void count_subtrees(Executor& executor, CollapsedLevel<Executor>& level,
+                    const CollapsedLevel<Executor>* below) {
+  const std::uint64_t count = level.roots.size();
+  level.sizes = executor.template array<std::uint32_t>(count);
+  std::uint32_t* const size = level.sizes.data();
+  const std::uint32_t* const first_child = level.first_child.data();
+  const std::uint32_t* const child_size = below != nullptr ? below->sizes.data() : nullptr;
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    std::uint32_t sum = 1;
+    for (std::uint32_t child = first_child[i]; child != first_child[i + 1]; ++child)
+      sum += child_size[child];
+    size[i] = sum;
+  });
+}
+
+// Returns the places of the nodes below.
+template <class Executor>
+ArrayOf<Executor, NodePlace>
+write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<Executor>& level,
+            const CollapsedLevel<Executor>* below, const ArrayOf<Executor, NodePlace>& places,
+            ExecutorGrid<Executor>& grid) {
+  auto child_places = executor.template array<NodePlace>(below != nullptr ? below->roots.size() : 0);
+  const std::uint32_t *const root = level.roots.data(), *const first_child = level.first_child.data(),
+                             *const child_size = below != nullptr ? below->sizes.data() : nullptr,
+                             *const child_root = below != nullptr ? below->roots.data() : nullptr;
+  const CollapsedNode* const node = level.nodes.data();
+  const NodePlace* const place = places.data();
+  NodePlace* const child_place = child_places.data();
+  HierarchyNode* const nodes = grid.nodes.data();
+  PrimitiveIndex* const references = grid.references.data();
+  executor.for_each(level.roots.size(), [=] MASU_PASS(std::uint64_t i) {
+    const std::uint32_t children = first_child[i + 1] - first_child[i];
+    NodePlace next{place[i].first_node, place[i].first_node + children, place[i].first_reference};
+    next.first_reference += write_node(binary, root[i], node[i], place[i], nodes, references);
+    for (std::uint32_t child = first_child[i]; child != first_child[i + 1]; ++child) {
+      child_place[child] = next;
+      ++next.node;
+      next.first_node += child_size[child] - 1;
+      next.first_reference += binary.nodes[child_root[child]].count;
+    }
+  });
+  return child_places;
+}
+
+// As a grid of the layout's space, in one voxel.
+template <class Executor>
+ExecutorGrid<Executor> collapsed_hierarchy(Executor& executor, const GridLayout& layout,
+                                           const BinaryHierarchy<Executor>& from) {
+  ExecutorGrid<Executor> grid{{layout.space, {1, 1, 1}, layout.margin}, GridKind::hierarchy};
+  if (from.nodes.size() == 0) {
+    grid.nodes = executor.template zeros<HierarchyNode>(1);
+    return grid;
+  }
+  const BinaryView binary{from.nodes.data(), from.choices.data()};
+  std::vector<CollapsedLevel<Executor>> levels;
+  for (auto roots = executor.template zeros<std::uint32_t>(1); roots.size() > 0;
+       roots = child_roots(executor, levels.back()))
+    levels.push_back(collapsed_level(executor, binary, std::move(roots)));
+  const auto below = [&](std::size_t level) {
+    return level + 1 < levels.size() ? &levels[level + 1] : nullptr;
+  };
+  for (std::size_t level = levels.size(); level-- > 0;)
+    count_subtrees(executor, levels[level], below(level));
+  grid.nodes = executor.template array<HierarchyNode>(executor.value(levels[0].sizes, 0));
+  grid.references = executor.template array<PrimitiveIndex>(executor.value(from.nodes, 0).count);
+  auto places = executor.template array<NodePlace>(1);
+  NodePlace* const root = places.data();
+  executor.for_each(1, [=] MASU_PASS(std::uint64_t) { *root = {0, 1, 0}; });
+  for (std::size_t level = 0; level < levels.size(); ++level)
+    places = write_level(executor, binary, levels[level], below(level), places, grid);
+  return grid;
+}
+
+} // namespace masu

@@ -1,0 +1,67 @@
+#include "libgrid/hierarchy/hierarchy_builder.h"
+
+#include "libgrid/hierarchy/binary_hierarchy.h"
+#include "libgrid/hierarchy/leaf_passes.h"
+#include "libgrid/hierarchy/refit_passes.h"
+#include "libgrid/hierarchy/top_down_passes.h"
+#include "libscene/base/available_memory.h"
+#include "libscene/base/error.h"
+
+#include <fmt/format.h>
+
+namespace masu {
+
+static_assert(cuts_per_width <= spare_leaves);
+
+void check_hierarchy(std::uint64_t primitives, double available) {
+  const auto fail = [](const std::string& what) {
+    throw Error(ErrorCode::usage, "structure", what + ": build a grid of voxels");
+  };
+  if (primitives > max_hierarchy_primitives)
+    fail(fmt::format("{} primitives are more than the {} that a hierarchy's nodes can be numbered for",
+                     primitives, max_hierarchy_primitives));
+  const double needed = hierarchy_bytes_per_primitive * static_cast<double>(primitives);
+  if (needed > available)
+    fail(fmt::format("a hierarchy of {} primitives needs about {:.1f} GB to build, {:.1f} GB are free",
+                     primitives, needed / 1e9, available / 1e9));
+}
+
+void check_hierarchy(const Boxd& space) {
+  if (!fits_hierarchy(space))
+    throw Error(ErrorCode::usage, "structure",
+                "a hierarchy holds coordinates up to 1e15: build a grid of voxels");
+}
+
+void check_hierarchy(std::uint64_t primitives, const Boxd& space) {
+  check_hierarchy(space);
+  check_hierarchy(primitives, available_memory());
+}
+
+template <class Stored>
+Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality,
+                    ProgressMonitor* progress) {
+  check_hierarchy(scene.primitive_count(), layout.space);
+  TbbExecutor executor{progress};
+  const auto leaves = hierarchy_leaves(executor, scene, layout);
+  return collapsed_hierarchy(executor, layout,
+                             quality == HierarchyQuality::fast
+                                 ? top_down_hierarchy(executor, leaves, layout.space)
+                                 : binary_hierarchy(scene, layout.margin, leaves, progress));
+}
+template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, HierarchyQuality, ProgressMonitor*);
+template Grid hierarchy_grid(const SceneView<double>&, const GridLayout&, HierarchyQuality, ProgressMonitor*);
+
+template <class Stored>
+bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, Grid& hierarchy) {
+  check_hierarchy(layout.space);
+  TbbExecutor executor;
+  if (!holds_all(executor, scene, hierarchy.references)) return false;
+  refit(executor, scene, layout.margin, hierarchy.nodes, hierarchy.references.data(),
+        hierarchy.references.size());
+  hierarchy.layout = {layout.space, {1, 1, 1}, layout.margin};
+  return true;
+}
+template bool refit_hierarchy(const SceneView<float>&, const GridLayout&, Grid&);
+template bool refit_hierarchy(const SceneView<double>&, const GridLayout&, Grid&);
+
+} // namespace masu

@@ -1,0 +1,392 @@
+// The walk of a ray through a bounding volume hierarchy: node by node, from near to far; after Ylitie, Karras
+// & Laine (hierarchy.h).
+//
+// Results are independent of the hierarchy. A primitive's box contains its surface and the builder's margin
+// (libscene/geometry/margin.h) around it. So a computed hit lies at least 39 u M inside its boxes, and the
+// distance of a plane is off by less than 14 u M along its axis, and besides by 3 · 2^-9 units of the node,
+// for which the builder makes boxes larger by 2^-6 units: a ray is never found to miss the box of what it
+// hits, nor to enter it beyond the hit.
+#pragma once
+
+#include "libgrid/grid/grid_walk.h"
+#include "libgrid/hierarchy/hierarchy.h"
+#include "libscene/geometry/clip.h"
+
+#ifdef MASU_HOST_AVX2
+#include "libgrid/hierarchy/hierarchy_walk_avx2.h"
+#endif
+
+namespace masu {
+
+// The inverse of a direction, bounded so that no product with it overflows: what a ray moves along an axis
+// that is slower than 2^-64 is far below a rounding.
+template <class Real>
+MASU_HD inline Vec3<Real> bounded_inverse(const ClippedRay<Real>& near) {
+  constexpr Real limit = 0x1p64F;
+  const auto bounded = [](Real inverse) { return fast_min(fast_max(inverse, -limit), limit); };
+  return {bounded(near.inverse.x), bounded(near.inverse.y), bounded(near.inverse.z)};
+}
+
+// Along one axis: plane q of a node is met at t = (2^15 + q) · scale + start. A float whose bits are those of
+// 2^15 with q in its second byte is just that sum: no conversion is needed.
+template <class Real>
+struct NodeAxis {
+  Real scale, start;
+};
+inline constexpr std::uint32_t plane_offset_bits = 0x47000000; // of 2^15
+inline constexpr float plane_offset = 0x1p15F;
+
+template <class Real>
+MASU_HD inline NodeAxis<Real> node_axis(float origin, std::uint32_t exponent, Real from, Real inverse) {
+  const Real scale = static_cast<Real>(float_of(exponent << 23)) * inverse;
+  return {scale, fma(Real(-plane_offset), scale, (static_cast<Real>(origin) - from) * inverse)};
+}
+
+template <class Real>
+struct NodeAxes {
+  NodeAxis<Real> x, y, z;
+};
+template <class Real>
+MASU_HD inline NodeAxes<Real> node_axes(const HierarchyNode& node, const Vec3<Real>& origin,
+                                        const Vec3<Real>& inverse) {
+  const std::uint32_t e = node.exponents;
+  return {node_axis(node.origin[0], e & 0xff, origin.x, inverse.x),
+          node_axis(node.origin[1], e >> 8 & 0xff, origin.y, inverse.y),
+          node_axis(node.origin[2], e >> 16 & 0xff, origin.z, inverse.z)};
+}
+
+// Where a ray enters a box, t >= 0, as a whole number: in the same order, and rounded down.
+MASU_HD inline std::uint32_t entry_bits(float t) {
+  return bits_of(t) & 0x7fffffffU; // -0 is 0
+}
+MASU_HD inline std::uint32_t entry_bits(double t) {
+  const auto rounded = static_cast<float>(t);
+  return entry_bits(rounded) - (static_cast<double>(rounded) > t ? 1 : 0);
+}
+
+// What a ray meets of a node.
+struct MetBoxes {
+  static constexpr std::uint32_t none = ~0U, slot_bits = 7;
+
+  // Bit 24 + slot for a node, and bit i for reference i of the node's.
+  std::uint32_t bits = 0;
+  // Of its nodes the two that the ray enters first: entry_bits() with the slot in the last three.
+  std::uint32_t nearest = none, second = none;
+
+  MASU_HD void enter(std::uint32_t entry) {
+#ifdef __CUDA_ARCH__
+    second = ::min(second, ::max(nearest, entry));
+    nearest = ::min(nearest, entry);
+#else
+    second = std::min(second, std::max(nearest, entry));
+    nearest = std::min(nearest, entry);
+#endif
+  }
+};
+
+#ifdef __CUDACC__
+// 2^15 with the plane's number, of four planes.
+__device__ inline float plane_of(std::uint32_t planes, unsigned byte) {
+  return __uint_as_float(__byte_perm(planes, plane_offset_bits, 0x7604 | byte << 4));
+}
+
+// Whether a ray is within three pairs of planes at the same time, between 0 and t_max, and from where on. In
+// float32 whole numbers are compared, of which the processor takes three at once: negative floats are
+// negative numbers, in whatever order; -0 and NaN don't occur, since nothing overflows and sums of multiples
+// of the least float aren't rounded to 0.
+__device__ inline bool overlap(float x0, float x1, float y0, float y1, float z0, float z1, float t_max,
+                               std::uint32_t& entry) {
+  const int enter = __vimax3_s32_relu(__float_as_int(x0), __float_as_int(y0), __float_as_int(z0));
+  const int leave =
+      ::min(__vimin3_s32(__float_as_int(x1), __float_as_int(y1), __float_as_int(z1)), __float_as_int(t_max));
+  entry = static_cast<std::uint32_t>(enter);
+  return enter <= leave;
+}
+__device__ inline bool overlap(double x0, double x1, double y0, double y1, double z0, double z1, double t_max,
+                               std::uint32_t& entry) {
+  const double enter = fast_max(fast_max(x0, y0), fast_max(z0, 0.0));
+  entry = entry_bits(enter);
+  return enter <= fast_min(fast_min(x1, y1), fast_min(z1, t_max));
+}
+
+// Slots first to first + 3. Rays of a warp that are alike miss the same boxes: what follows a box that is met
+// is behind a branch.
+template <int first, class Real>
+__device__ inline void meet_four(MetBoxes& met, const NodeAxis<Real>& x, const NodeAxis<Real>& y,
+                                 const NodeAxis<Real>& z, std::uint32_t near_x, std::uint32_t far_x,
+                                 std::uint32_t near_y, std::uint32_t far_y, std::uint32_t near_z,
+                                 std::uint32_t far_z, std::uint32_t slots, Real t_max) {
+  // Four slots at a time: those of nodes have bits 3 and 4 set; all bits of the others' bytes.
+  const std::uint32_t is_node = (slots & slots << 1) & 0x10101010;
+  std::uint32_t others;
+  asm("prmt.b32 %0, %1, 0, 0xba98;" : "=r"(others) : "r"(~(is_node << 3)));
+  // A node's number, or what makes `none` of an entry.
+  std::uint32_t numbers = others | (0x03020100 + first * 0x01010101);
+  asm("" : "+r"(numbers)); // once, not for each box
+  const auto test = [&]<int i>(std::integral_constant<int, i>) {
+    std::uint32_t entry;
+    if (!overlap(
+            fma(Real(plane_of(near_x, i)), x.scale, x.start), fma(Real(plane_of(far_x, i)), x.scale, x.start),
+            fma(Real(plane_of(near_y, i)), y.scale, y.start), fma(Real(plane_of(far_y, i)), y.scale, y.start),
+            fma(Real(plane_of(near_z, i)), z.scale, z.start), fma(Real(plane_of(far_z, i)), z.scale, z.start),
+            t_max, entry))
+      return;
+    // Of a node `unary` is 1, and shifted by 24 + slot.
+    const std::uint32_t held = slots >> (8 * i);
+    met.bits |= __funnelshift_l(0, held >> 5 & 7, held);
+    met.enter((entry & ~MetBoxes::slot_bits) | __byte_perm(numbers, others, 0x4440 + i * 0x1111));
+  };
+  test(std::integral_constant<int, 0>{});
+  test(std::integral_constant<int, 1>{});
+  test(std::integral_constant<int, 2>{});
+  test(std::integral_constant<int, 3>{});
+}
+#endif
+
+// What a slot holds, as MetBoxes has it.
+MASU_HD inline std::uint32_t met_bits(std::uint32_t slot) {
+  return slot >> 5 << (slot & 0x1f);
+}
+
+template <class Real>
+MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& origin,
+                                  const Vec3<Real>& inverse, Real t_max) {
+  const NodeAxes<Real> axes = node_axes(node, origin, inverse);
+  const NodeAxis<Real>&x = axes.x, &y = axes.y, &z = axes.z;
+  const bool up_x = inverse.x >= 0, up_y = inverse.y >= 0, up_z = inverse.z >= 0;
+  MetBoxes met;
+#ifdef __CUDA_ARCH__
+  const auto half = [&]<int i>(std::integral_constant<int, i>) {
+    const std::uint32_t lx = node.low[0][i], hx = node.high[0][i], ly = node.low[1][i], hy = node.high[1][i],
+                        lz = node.low[2][i], hz = node.high[2][i];
+    meet_four<4 * i>(met, x, y, z, up_x ? lx : hx, up_x ? hx : lx, up_y ? ly : hy, up_y ? hy : ly,
+                     up_z ? lz : hz, up_z ? hz : lz, node.slots[i], t_max);
+  };
+  half(std::integral_constant<int, 0>{});
+  half(std::integral_constant<int, 1>{});
+#else
+  const auto& near_x = up_x ? node.low[0] : node.high[0];
+  const auto& far_x = up_x ? node.high[0] : node.low[0];
+  const auto& near_y = up_y ? node.low[1] : node.high[1];
+  const auto& far_y = up_y ? node.high[1] : node.low[1];
+  const auto& near_z = up_z ? node.low[2] : node.high[2];
+  const auto& far_z = up_z ? node.high[2] : node.low[2];
+  const auto meet = [&](int slot, Real enter) {
+    met.bits |= met_bits(slot_byte(node.slots, slot));
+    if ((node_slots(node) >> slot & 1) != 0)
+      met.enter((entry_bits(enter) & ~MetBoxes::slot_bits) | static_cast<std::uint32_t>(slot));
+  };
+#ifdef MASU_HOST_AVX2
+  if constexpr (sizeof(Real) == sizeof(float)) { // counted walks take two thirds of the time
+    const auto t = [](const std::uint32_t(&planes)[2], const NodeAxis<float>& axis) {
+      const __m256i bits =
+          _mm256_or_si256(_mm256_slli_epi32(eight_bytes(planes), 8), _mm256_set1_epi32(plane_offset_bits));
+      return fma(Floats8(_mm256_castsi256_ps(bits)), axis.scale, axis.start);
+    };
+    const BoxesMet boxes =
+        boxes_met({t(near_x, x), t(near_y, y), t(near_z, z)}, {t(far_x, x), t(far_y, y), t(far_z, z)}, t_max);
+    alignas(32) float enter[boxes_per_node];
+    _mm256_store_ps(enter, boxes.enter);
+    each_bit(boxes.slots, [&](int slot) { meet(slot, enter[slot]); });
+    return met;
+  }
+#endif
+  const auto t = [](const std::uint32_t(&planes)[2], int slot, const NodeAxis<Real>& axis) {
+    return fma(static_cast<Real>(float_of(plane_offset_bits | slot_byte(planes, slot) << 8)), axis.scale,
+               axis.start);
+  };
+  for (int slot = 0; slot < boxes_per_node; ++slot) {
+    const Real enter = fast_max(fast_max(t(near_x, slot, x), t(near_y, slot, y)),
+                                fast_max(t(near_z, slot, z), Real(0))),
+               leave = fast_min(fast_min(t(far_x, slot, x), t(far_y, slot, y)),
+                                fast_min(t(far_z, slot, z), t_max));
+    if (enter <= leave) meet(slot, enter);
+  }
+#endif
+  return met;
+}
+
+MASU_HD inline int lowest_bit(std::uint32_t bits) { // of a number other than 0
+#ifdef __CUDA_ARCH__
+  return __ffs(static_cast<int>(bits)) - 1;
+#else
+  return std::countr_zero(bits);
+#endif
+}
+
+// What is still to be visited. Nodes: from `first` on, by their slots in the highest 8 bits and the slots of
+// all that there are in the lowest 8; between them 13 bits of where the ray enters the nearest of them and 3
+// of its slot. Or references: from `first` on, by the bits below 24, where no bit above is set.
+struct HierarchyGroup {
+  std::uint32_t first, bits;
+
+  MASU_HD bool has_nodes() const { return bits > 0xffffff; }
+  // Rounded down.
+  MASU_HD float entry() const { return float_of((bits & 0xfff800) << 7); }
+  // The nearest as long as it is still to be visited, then the others by number.
+  MASU_HD std::uint32_t next_slot() const {
+    const std::uint32_t nearest = bits >> 8 & 7;
+    return (bits >> (24 + nearest) & 1) != 0 ? nearest : static_cast<std::uint32_t>(lowest_bit(bits >> 24));
+  }
+};
+MASU_HD inline HierarchyGroup nodes_group(std::uint32_t first, std::uint32_t slots, std::uint32_t all,
+                                          std::uint32_t nearest) {
+  return {first, slots << 24 | (nearest >> 7 & 0xfff800) | (nearest & MetBoxes::slot_bits) << 8 | all};
+}
+
+// Where to find the node of a slot among a node's.
+MASU_HD inline std::uint32_t node_in(std::uint32_t first, std::uint32_t held, std::uint32_t slot) {
+  const std::uint32_t before = held & ~(~0U << slot);
+#ifdef __CUDA_ARCH__
+  return first + static_cast<std::uint32_t>(__popc(before));
+#else
+  return first + static_cast<std::uint32_t>(std::popcount(before));
+#endif
+}
+
+// Boxes that rays begun as a packet (renderer/cuda/packet.h) have met by then, at most: a warp's lanes.
+inline constexpr unsigned max_packet_boxes = 32;
+
+// What a walk comes back to. A node pushes at most what it holds besides the node visited next, and the tests
+// put off; before them there may be a packet's boxes. It isn't part of the walk: a struct that holds an array
+// which is indexed lies in memory as a whole, where registers should hold the rest.
+inline constexpr int max_stack_height = 2 * max_hierarchy_depth + max_packet_boxes;
+using HierarchyStack = HierarchyGroup[max_stack_height];
+
+MASU_HD inline void push(HierarchyStack& stack, int& height, const HierarchyGroup& group) {
+#ifndef __CUDA_ARCH__
+  // There is room, but while a mapped file changes: then results are thrown away.
+  if (height == max_stack_height) height = 0;
+#endif
+  stack[height++] = group;
+}
+
+template <class Real, class Visitor>
+MASU_HD inline void show(const HierarchyView<Real>& hierarchy, std::uint32_t reference, Visitor& visitor) {
+  visitor.primitive(hierarchy.references[reference]);
+}
+template <class Real, class Stored, class Visitor>
+MASU_HD inline void show(const LeafHierarchyView<Real, Stored>& hierarchy, std::uint32_t reference,
+                         Visitor& visitor) {
+  visitor.leaf(hierarchy.leaves + reference);
+}
+
+// A walk under way.
+template <class Real>
+struct HierarchyWalk {
+  static constexpr std::uint32_t no_node = ~0U;
+
+  Vec3<Real> inverse; // bounded
+  std::uint32_t next; // node to visit
+  HierarchyGroup references;
+  int height; // of the stack
+
+  MASU_HD void begin(const ClippedRay<Real>& near) {
+    inverse = bounded_inverse(near);
+    keep(inverse.x);
+    keep(inverse.y);
+    keep(inverse.z);
+    next = 0;
+    references = {0, 0};
+    height = 0;
+  }
+
+  // After a node was visited: the references in the boxes that the ray meets, and as the next node the one
+  // that it enters first. Of the others the one that it enters first comes next, and none of them once all
+  // are entered beyond the nearest hit.
+  MASU_HD void enter(const HierarchyNode& node, const MetBoxes& met, HierarchyStack& stack) {
+    const std::uint32_t nodes = met.bits >> 24;
+    references = {node.first_reference, met.bits & 0xffffff};
+    next = no_node;
+    if (nodes == 0) return;
+    const std::uint32_t slot = met.nearest & MetBoxes::slot_bits, others = nodes & ~(1U << slot);
+    next = node_in(node.first_node, node_slots(node), slot);
+    if (others != 0) push(stack, height, nodes_group(node.first_node, others, node_slots(node), met.second));
+  }
+
+  // Goes back for a node that the ray enters no farther than `farthest`, or for references, where there is no
+  // next node; false at the end.
+  template <class Limit>
+  MASU_HD bool go_back(HierarchyStack& stack, Limit farthest) {
+    references.bits = 0;
+    while (next == no_node) {
+      if (height == 0) return false;
+      HierarchyGroup group = stack[--height];
+      if (!group.has_nodes()) {
+        references = group;
+        break;
+      }
+      if (!(group.entry() <= farthest)) continue;
+      const std::uint32_t slot = group.next_slot();
+      next = node_in(group.first, group.bits & 0xff, slot);
+      group.bits &= ~(0x1000000U << slot);
+      if (group.has_nodes()) push(stack, height, group);
+    }
+    return true;
+  }
+
+  // Visits the next node of the visitor's ray, and shows the visitor the references in the boxes that the ray
+  // meets; false at the end. Tests are put off where few of a warp's lanes have any (after Ylitie, Karras &
+  // Laine), unless the visitor counts: what is visited would depend on that.
+  template <class Hierarchy, class Visitor>
+  MASU_HD bool advance(const Hierarchy& hierarchy, HierarchyStack& stack, Visitor& visitor) {
+    if (next != no_node) {
+#ifdef __CUDA_ARCH__
+      const HierarchyNode node = fetched(hierarchy.nodes + next);
+#else
+      const HierarchyNode& node = hierarchy.nodes[next];
+#endif
+      const MetBoxes met = boxes_met(node, visitor.ray.origin, inverse, visitor.farthest());
+      visitor.counts.cell(met.bits == 0);
+      if constexpr (records_walk<std::decay_t<decltype(visitor.counts)>>)
+        visitor.counts.visited(next, node, visitor.ray.origin, inverse, visitor.farthest(), met);
+      enter(node, met, stack);
+    }
+#ifdef __CUDA_ARCH__
+    const int testing = __popc(__activemask());
+#endif
+    while (references.bits != 0) {
+#ifdef __CUDA_ARCH__
+      if (!visitor.counts.is_counted && __popc(__activemask()) * 4 < testing) {
+        push(stack, height, references);
+        break;
+      }
+#endif
+      const int reference = lowest_bit(references.bits);
+      references.bits &= references.bits - 1;
+      show(hierarchy, references.first + static_cast<std::uint32_t>(reference), visitor);
+    }
+    return !visitor.ends() && go_back(stack, visitor.farthest());
+  }
+};
+
+template <class Real, class Hierarchy, class Visitor>
+MASU_HD inline void walk_hierarchy(const Hierarchy& hierarchy, const ClippedRay<Real>& near,
+                                   Visitor& visitor) {
+  HierarchyStack stack;
+  HierarchyWalk<Real> walk{};
+  walk.begin(near);
+  while (walk.advance(hierarchy, stack, visitor)) {
+  }
+}
+
+template <class Real, class Visitor>
+MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay<Real>& near, std::uint32_t,
+                          Visitor& visitor) {
+#ifdef MASU_HOST_AVX2
+  if constexpr (sizeof(Real) == sizeof(float) && !std::decay_t<decltype(visitor.counts)>::is_counted) {
+    NearestFirstWalk walk(visitor.ray.origin, bounded_inverse(near));
+    while (walk.advance(hierarchy, visitor)) {
+    }
+    return;
+  }
+#endif
+  walk_hierarchy(hierarchy, near, visitor);
+}
+template <class Real, class Stored, class Visitor>
+MASU_HD inline void visit(const LeafHierarchyView<Real, Stored>& hierarchy, const ClippedRay<Real>& near,
+                          std::uint32_t, Visitor& visitor) {
+  walk_hierarchy(hierarchy, near, visitor);
+}
+
+} // namespace masu

@@ -1,0 +1,212 @@
+// A hierarchy's leaves: primitives along a Morton curve, and triangles divided whose boxes are mostly empty
+// (after Karras & Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", HPG 2013),
+// on whatever executor (executor.h):
+//
+//   1. divider  how many parts a triangle's empty space is worth, by the size of all boxes
+//   2. emit     leaves of parts, cut at planes that halve the space again and again: neighbours are cut by
+//               the same
+//
+// No byte of the result depends on the executor or its number of threads.
+#pragma once
+
+#include "libgrid/grid/overlap/clipped_bounds.h"
+#include "libgrid/hierarchy/collapse_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace masu {
+
+// The bits of a number below 2^14, each followed by two zeros.
+MASU_HD inline std::uint64_t spread_bits(std::uint32_t number) {
+  std::uint64_t bits = number;
+  bits = (bits | bits << 16) & 0x0000ff0000ffULL;
+  bits = (bits | bits << 8) & 0x00f00f00f00fULL;
+  bits = (bits | bits << 4) & 0x0c30c30c30c3ULL;
+  return (bits | bits << 2) & 0x249249249249ULL;
+}
+
+// A plane across an axis.
+struct CutPlane {
+  int axis;
+  double place;
+};
+
+struct MortonCurve {
+  static constexpr int bits_per_axis = 14;
+  static constexpr double places = 1 << bits_per_axis;
+
+  Vec3d origin;
+  double step; // from place to place
+
+  explicit MortonCurve(const Boxd& space) : origin(space.min) {
+    const Vec3d extent = space.max - space.min;
+    step = std::max({extent.x, extent.y, extent.z}) / places;
+  }
+  MASU_HD std::uint32_t place(double at, int axis) const {
+    const double steps = (at - origin[axis]) / step;
+    return steps > 0 ? static_cast<std::uint32_t>(std::min(steps, places - 1)) : 0;
+  }
+  // Of a box's middle.
+  MASU_HD std::uint64_t code(const Boxf& box) const {
+    std::uint64_t code = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      code |= spread_bits(place(0.5 * (static_cast<double>(box.min[axis]) + box.max[axis]), axis)) << axis;
+    return code;
+  }
+  // Across the middle half of a box's longest side: the first of the planes that halve the space, its halves,
+  // and so on.
+  MASU_HD CutPlane plane_across(const Boxf& box) const {
+    const Vec3f side = box.max - box.min;
+    const int axis = side.x >= side.y && side.x >= side.z ? 0 : side.y >= side.z ? 1 : 2;
+    const double low = box.min[axis] + 0.25 * side[axis], high = box.min[axis] + 0.75 * side[axis];
+    const std::uint32_t last = place(high, axis), differing = place(low, axis) ^ last;
+    std::uint32_t bit = 0;
+    while (differing >> bit > 1)
+      ++bit;
+    return {axis, differing == 0 ? (low + high) / 2 : origin[axis] + (last >> bit << bit) * step};
+  }
+};
+
+// Leaves so many times as wide as all boxes are in the mean come first, wherever they are: where not all are
+// looked at, those are (top_down_passes.h).
+inline constexpr double large_width = 16;
+
+// Cuts of a primitive whose empty space is as wide as all boxes are in the mean.
+inline constexpr double cuts_per_width = 0.7;
+inline constexpr std::uint32_t max_cuts_log2 = 6, max_cuts = (1U << max_cuts_log2) - 1;
+
+template <class Stored>
+struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
+  SceneView<Stored> scene;
+  double margin;
+  MortonCurve curve;
+  double mean_width; // of all boxes
+
+  // How wide a primitive's box is, and what of it is empty where dividing it would help: nothing for
+  // triangles whose projections along the axes fill a third of their box's sides, as those of compact ones do
+  // and of all along two axes, however they are cut; nor for others.
+  MASU_HD static double width(const Boxd& box) {
+    const Vec3d side = box.max - box.min;
+    return std::sqrt(side.x * (side.y + side.z) + side.y * side.z);
+  }
+  MASU_HD static double empty_width(const Triangle<double>& triangle) {
+    constexpr double most_filled = 0.3;
+    const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    const double whole = width(bounds(triangle)), area = whole * whole,
+                 filled = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
+    return filled > 0 && filled < most_filled * area ? std::sqrt(area - filled) : 0;
+  }
+  template <class Primitive>
+  MASU_HD static double empty_width(const Primitive&) {
+    return 0;
+  }
+  // Calls act(box) for each part of a primitive.
+  template <class Act>
+  MASU_HD void for_each_part(PrimitiveIndex index, const Act& act) const {
+    with_primitive(scene, index, [&](const auto& primitive) {
+      struct Part {
+        Boxf box;
+        std::uint32_t cuts;
+      } stack[max_cuts_log2 + 1];
+      const Boxf whole = box_around(bounds(primitive), margin);
+      const double own = empty_width(primitive),
+                   cuts = own > 0 ? std::min(cuts_per_width * own / mean_width, double{max_cuts}) : 0;
+      stack[0] = {whole, static_cast<std::uint32_t>(cuts)};
+      for (int height = 1; height > 0;) {
+        const Part part = stack[--height];
+        Part below = part, above = part;
+        if (part.cuts == 0 || !cut(primitive, below.box, above.box)) {
+          act(part.box);
+          continue;
+        }
+        const float low = longest_side(below.box), high = longest_side(above.box);
+        const float share = low > 0 ? low / (low + high) : 0;
+        below.cuts =
+            std::min(static_cast<std::uint32_t>(static_cast<float>(part.cuts) * share), part.cuts - 1);
+        above.cuts = part.cuts - 1 - below.cuts;
+        // The one of more cuts waits: so each that waits has at most half of the cuts of the one before.
+        stack[height++] = below.cuts > above.cuts ? below : above;
+        stack[height++] = below.cuts > above.cuts ? above : below;
+      }
+    });
+  }
+
+private:
+  MASU_HD static float longest_side(const Boxf& box) {
+    const Vec3f side = box.max - box.min;
+    return std::max(side.x, std::max(side.y, side.z));
+  }
+  // A part's box, given as both, by a plane; false where that leaves a side without anything.
+  template <class Primitive>
+  MASU_HD bool cut(const Primitive& primitive, Boxf& below, Boxf& above) const {
+    const CutPlane plane = curve.plane_across(below);
+    const ClippedBounds sides = sides_of(primitive, plane.axis, plane.place, plane.place);
+    return shrink(below, sides.below) && shrink(above, sides.above);
+  }
+  MASU_HD bool shrink(Boxf& box, const Boxd& bounds) const {
+    if (is_empty(bounds)) return false;
+    const Boxf other = box_around(bounds, margin);
+    for (int axis = 0; axis < 3; ++axis) {
+      box.min.set(axis, std::max(box.min[axis], other.min[axis]));
+      box.max.set(axis, std::min(box.max[axis], other.max[axis]));
+    }
+    return !is_empty(box);
+  }
+};
+
+// Of boxes of primitives that have a surface.
+struct WidthSum {
+  double width = 0;
+  std::uint64_t count = 0;
+};
+MASU_HD inline WidthSum join(const WidthSum& a, const WidthSum& b) {
+  return {a.width + b.width, a.count + b.count};
+}
+template <class Stored>
+struct WidthOf {
+  SceneView<Stored> scene;
+  MASU_HD WidthSum operator()(std::uint64_t i) const {
+    WidthSum sum;
+    with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
+      if (has_surface(primitive)) sum = {Divider<Stored>::width(bounds(primitive)), 1};
+    });
+    return sum;
+  }
+};
+
+// Pairs of a part's place in the order, and its leaf.
+template <class Stored>
+struct EmitParts {
+  Divider<Stored> divider;
+
+  MASU_HD std::uint64_t size(std::uint64_t) const { return 1; }
+  template <class Add>
+  MASU_HD void operator()(std::uint64_t i, std::uint64_t first_row, std::uint64_t, const Add& add) const {
+    const auto primitive = static_cast<PrimitiveIndex>(i);
+    bool is_there = first_row == 0;
+    with_primitive(divider.scene, primitive,
+                   [&](const auto& what) { is_there = is_there && has_surface(what); });
+    if (!is_there) return;
+    divider.for_each_part(primitive, [&](const Boxf& box) {
+      const std::uint64_t is_small = divider.width(cast<double>(box)) < large_width * divider.mean_width;
+      add(is_small << 3 * MortonCurve::bits_per_axis | divider.curve.code(box),
+          BinaryNode{box.min, primitive, box.max, 1});
+    });
+  }
+};
+
+template <class Executor, class Stored>
+ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const SceneView<Stored>& scene,
+                                               const GridLayout& layout) {
+  const std::uint64_t primitives = scene.primitive_count();
+  const auto sum = joined<WidthSum>(executor, primitives, WidthOf<Stored>{scene});
+  const Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space),
+                                static_cast<float>(sum.width / static_cast<double>(sum.count))};
+  auto sorted = executor.template emit_sorted<BinaryNode>(primitives, 3 * MortonCurve::bits_per_axis + 1,
+                                                          max_numbered, EmitParts<Stored>{divider});
+  return std::move(sorted->values);
+}
+
+} // namespace masu

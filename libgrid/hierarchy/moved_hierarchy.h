@@ -1,0 +1,28 @@
+// A hierarchy and its scene's triangles, moved on a CUDA device. CUDA sources only.
+#pragma once
+
+#include "libgrid/structure/structure_records.h"
+#include "libscene/cuda/device_memory.h"
+#include "libscene/scene_view.h"
+
+namespace masu {
+
+// Vertices in the world, where a pass sees them (libscene/mesh/move_passes.h).
+template <class Number>
+struct MovedVertices;
+
+template <class Stored>
+struct MovedHierarchy {
+  DeviceArray<Triangle<Stored>> triangles;
+  DeviceArray<HierarchyNode> nodes;
+  Boxd bounds; // of the whole scene, relative to its origin
+};
+
+// All in memory of the GPU, and the results in this pool; for a pass on its default stream, which is waited
+// for. No nodes, where a triangle has an area that had none: the hierarchy doesn't refer to it. Throws as
+// moved_triangles() does, and Error(usage, "vertices", …) for a scene that reaches farther than a hierarchy.
+template <class Stored, class Number>
+MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const GridRecords& hierarchy,
+                                       const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu);
+
+} // namespace masu

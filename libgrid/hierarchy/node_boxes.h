@@ -1,0 +1,80 @@
+// Boxes of a hierarchy while it is built or refitted: in float32, and as a node holds them
+// (hierarchy.h).
+#pragma once
+
+#include "libgrid/hierarchy/hierarchy.h"
+#include "libscene/geometry/cone.h"
+#include "libscene/scene_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace masu {
+
+// Contains the margin around what is in `bounds`.
+MASU_HD inline Boxf box_around(const Boxd& bounds, double margin) {
+  const Boxd box = grown(bounds, margin);
+  return {{rounded_down(box.min.x), rounded_down(box.min.y), rounded_down(box.min.z)},
+          {rounded_up(box.max.x), rounded_up(box.max.y), rounded_up(box.max.z)}};
+}
+
+// The same of a primitive.
+template <class Stored>
+MASU_HD Boxf box_of_primitive(const SceneView<Stored>& scene, PrimitiveIndex index, double margin) {
+  Boxf box = empty_box<float>();
+  with_primitive(scene, index, [&](const auto& primitive) { box = box_around(bounds(primitive), margin); });
+  return box;
+}
+
+MASU_HD inline std::uint32_t count_bits(std::uint32_t bits) {
+  std::uint32_t count = 0;
+  for (; bits != 0; bits &= bits - 1)
+    ++count;
+  return count;
+}
+
+// Half of the surface: what SAH compares.
+MASU_HD inline float half_area(const Boxf& box) {
+  const Vec3f side = box.max - box.min;
+  return side.x * (side.y + side.z) + side.y * side.z;
+}
+
+// Units of a node's boxes: powers of two, of which what is around them has 240 at most; it begins a few after
+// the origin.
+class NodeUnits {
+public:
+  // Writes the node's origin and exponents.
+  MASU_HD NodeUnits(const Boxf& around, HierarchyNode& node) {
+    std::uint32_t exponents = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = around.min[axis], extent = static_cast<double>(around.max[axis]) - low;
+      // No smaller than the origin's rounding.
+      const double least = std::max(extent / units, std::abs(low) * 0x1p-22);
+      const int exponent = std::clamp(std::ilogb(std::max(least, 0x1p-100)) + 1, -100, 100);
+      unit_[axis] = std::ldexp(1.0, exponent);
+      node.origin[axis] = rounded_down(low - units_before * unit_[axis]);
+      exponents |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
+    }
+    node.exponents = (node.exponents & ~0xffffffU) | exponents;
+  }
+  // Adds a slot's planes to the node's.
+  MASU_HD void add_planes(int slot, const Boxf& box, HierarchyNode& node) const {
+    const int shift = slot % 4 * 8;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double origin = node.origin[axis];
+      const double low = std::floor((box.min[axis] - origin) / unit_[axis] - slack),
+                   high = std::ceil((box.max[axis] - origin) / unit_[axis] + slack);
+      node.low[axis][slot / 4] |= static_cast<std::uint32_t>(low) << shift;
+      node.high[axis][slot / 4] |= static_cast<std::uint32_t>(high) << shift;
+    }
+  }
+
+private:
+  static constexpr double units = 240, units_before = 4;
+  // Larger by this many units than what they hold: hierarchy_walk.h says why.
+  static constexpr double slack = 1.0 / 64;
+
+  double unit_[3];
+};
+
+} // namespace masu

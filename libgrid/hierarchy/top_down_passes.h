@@ -1,0 +1,364 @@
+// A binary hierarchy from the root down, on whatever executor (executor.h): level by level by the surface
+// area heuristic over bins (Wald, "On Fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007),
+// of few leaves over all their centres.
+//
+//   1. split    of each node's leaves by where their centres are
+//   2. sort     leaves by the node of the next level that they are in, else in their order; 1 and 2 until
+//               each is alone
+//   3. combine  boxes and costs, from the lowest level up
+//
+// No byte of the result depends on the executor or its number of threads.
+#pragma once
+
+#include "libgrid/hierarchy/collapse_passes.h"
+#include "libscene/passes/thread_group.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace masu {
+
+// A node's leaves, so many side by side in their order; of a single one `first` is its number.
+struct LeafRange {
+  std::uint32_t first, count;
+};
+
+MASU_HD inline float twice_the_centre(const BinaryNode& node, int axis) {
+  return node.min[axis] + node.max[axis];
+}
+
+// What of a range goes left: leaves whose centres lie no farther along an axis. By none of the axes, or where
+// that is all or nothing, the first half.
+struct LeafSplit {
+  float cost = INFINITY;
+  std::int32_t axis = -1;
+  float place = 0; // twice it
+
+  MASU_HD bool is_left(const BinaryNode& leaf) const {
+    return axis >= 0 && twice_the_centre(leaf, axis) <= place;
+  }
+};
+MASU_HD inline bool comes_before(const LeafSplit& a, const LeafSplit& b) {
+  if (a.cost != b.cost) return a.cost < b.cost;
+  return a.axis != b.axis ? a.axis < b.axis : a.place < b.place;
+}
+
+// Of more leaves so many are looked at: the first ones of their order, which are the largest, and others as
+// far apart in it as each other. Few are tried one by one.
+inline constexpr std::uint32_t max_sampled = 4096, first_sampled = 512, few_leaves = 8;
+inline constexpr std::uint32_t max_bins = 16; // along each axis
+
+struct SplitRanges {
+  struct Scratch {
+    Boxf centres;
+    struct {
+      Boxf box;
+      std::uint32_t count;
+    } bins[3][max_bins];
+  };
+  const BinaryNode* leaves;
+  const std::uint32_t* order; // of leaves
+  const LeafRange* ranges;
+  const Boxf* spaces;
+  LeafSplit* splits;
+  std::uint32_t most; // a range of more is halved, lest the hierarchy become too deep
+
+  MASU_HD std::uint32_t size(std::uint64_t i) const {
+    return std::min(ranges[i].count, std::uint32_t{max_sampled});
+  }
+  template <class ThreadGroup>
+  MASU_HD void operator()(const ThreadGroup& group, Scratch& scratch, std::uint64_t i) const {
+    const LeafRange range = ranges[i];
+    LeafSplit best;
+    if (range.count > 2 && range.count <= most)
+      best = range.count <= few_leaves ? cheapest_of_few(group, range)
+                                       : cheapest(group, scratch, range, spaces[i]);
+    if (group.thread_rank() == 0) splits[i] = best;
+  }
+
+private:
+  MASU_HD const BinaryNode& leaf(const LeafRange& range, std::uint32_t i) const {
+    return leaves[order[range.first + i]];
+  }
+  MASU_HD static float cost_of(const Boxf& left, std::uint32_t left_count, const Boxf& right,
+                               std::uint32_t right_count) {
+    return half_area(left) * static_cast<float>(left_count) +
+           half_area(right) * static_cast<float>(right_count);
+  }
+
+  // Of any of a range's leaves as the last one on the left, sorted along each axis. Both for the first
+  // thread.
+  template <class ThreadGroup>
+  MASU_HD LeafSplit cheapest_of_few(const ThreadGroup& group, const LeafRange& range) const {
+    LeafSplit best;
+    for (auto axis = static_cast<int>(group.thread_rank()); axis < 3;
+         axis += static_cast<int>(group.size())) {
+      float centres[few_leaves];
+      Boxf boxes[few_leaves], right[few_leaves];
+      for (std::uint32_t i = 0; i < range.count; ++i) {
+        const BinaryNode& own = leaf(range, i);
+        const float centre = twice_the_centre(own, axis);
+        std::uint32_t to = i;
+        for (; to > 0 && centre < centres[to - 1]; --to) {
+          centres[to] = centres[to - 1];
+          boxes[to] = boxes[to - 1];
+        }
+        centres[to] = centre;
+        boxes[to] = own.box();
+      }
+      right[range.count - 1] = boxes[range.count - 1];
+      for (std::uint32_t i = range.count - 1; i-- > 1;)
+        right[i] = join(boxes[i], right[i + 1]);
+      LeafSplit split;
+      split.axis = axis;
+      Boxf left = empty_box<float>();
+      for (std::uint32_t i = 0; i + 1 < range.count; ++i) {
+        left = join(left, boxes[i]);
+        if (centres[i] == centres[i + 1]) continue;
+        split.cost = cost_of(left, i + 1, right[i + 1], range.count - i - 1);
+        split.place = centres[i];
+        if (comes_before(split, best)) best = split;
+      }
+    }
+    return group.first_of_all(best);
+  }
+
+  struct Bins {
+    std::int32_t axis;
+    std::int32_t count;
+    float low, per_unit;
+
+    // `centre`: twice it.
+    MASU_HD std::int32_t operator()(float centre) const {
+      return std::clamp(static_cast<std::int32_t>((centre - low) * per_unit), 0, count - 1);
+    }
+  };
+  template <class ThreadGroup>
+  MASU_HD LeafSplit cheapest(const ThreadGroup& group, Scratch& scratch, const LeafRange& range,
+                             const Boxf& space) const {
+    const std::uint32_t first = std::min(range.count, std::uint32_t{first_sampled}),
+                        apart = (range.count - first) / (max_sampled - first_sampled + 1) + 1;
+    const auto for_each_leaf = [&](const auto& act) {
+      for (std::uint32_t i = group.thread_rank(); i < first; i += group.size())
+        act(leaf(range, i), 1U);
+      for (std::uint32_t i = first + group.thread_rank() * apart; i < range.count; i += group.size() * apart)
+        act(leaf(range, i), std::min(apart, range.count - i));
+    };
+    if (group.thread_rank() == 0) scratch.centres = empty_box<float>();
+    const auto bin_count = static_cast<std::int32_t>(std::min(range.count / 4 + 4, std::uint32_t{max_bins}));
+    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bin_count;
+         i += static_cast<std::int32_t>(group.size())) {
+      auto& bin = scratch.bins[i / bin_count][i % bin_count];
+      bin.box = empty_box<float>();
+      bin.count = 0;
+    }
+    group.sync();
+    Boxf own = empty_box<float>();
+    for_each_leaf([&](const BinaryNode& leaf, std::uint32_t) { own = join(own, leaf.min + leaf.max); });
+    group.join(scratch.centres, own);
+    group.sync();
+    Boxf centres = scratch.centres;
+    // Regular things are best split just where their space is, which a sample misses: so by the space, unless
+    // they are small in it.
+    for (int axis = 0; axis < 3 && apart > 1; ++axis) {
+      if (4 * (centres.max[axis] - centres.min[axis]) < space.max[axis] - space.min[axis]) continue;
+      centres.min.set(axis, space.min[axis]);
+      centres.max.set(axis, space.max[axis]);
+    }
+    Bins along[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const float scale = static_cast<float>(bin_count) * 0.99999F / (centres.max[axis] - centres.min[axis]);
+      // 0: all in one place, or nearly
+      along[axis] = {axis, bin_count, centres.min[axis], scale < INFINITY ? scale : 0};
+    }
+    for_each_leaf([&](const BinaryNode& leaf, std::uint32_t stands_for) {
+      for (int axis = 0; axis < 3; ++axis) {
+        auto& bin = scratch.bins[axis][along[axis](twice_the_centre(leaf, axis))];
+        group.join(bin.box, leaf.box());
+        group.count(bin.count, stands_for);
+      }
+    });
+    group.sync();
+    LeafSplit best;
+    for (auto axis = static_cast<int>(group.thread_rank()); axis < 3;
+         axis += static_cast<int>(group.size())) {
+      const LeafSplit split = cheapest_along(along[axis], scratch, range.count);
+      if (comes_before(split, best)) best = split;
+    }
+    return group.first_of_all(best);
+  }
+
+  MASU_HD static LeafSplit cheapest_along(const Bins& along, const Scratch& scratch, std::uint32_t count) {
+    const auto& bins = scratch.bins[along.axis];
+    Boxf right[max_bins + 1]; // of all from a bin on
+    right[along.count] = empty_box<float>();
+    for (int bin = along.count; --bin > 0;)
+      right[bin] = join(right[bin + 1], bins[bin].box);
+    LeafSplit best, split;
+    split.axis = along.axis;
+    Boxf left = empty_box<float>();
+    std::uint32_t left_count = 0;
+    for (int bin = 0; bin + 1 < along.count; ++bin) {
+      left = join(left, bins[bin].box);
+      left_count += bins[bin].count;
+      if (left_count == 0) continue;
+      if (left_count == count) break;
+      split.cost = cost_of(left, left_count, right[bin + 1], count - left_count);
+      split.place = along.low + static_cast<float>(bin + 1) / along.per_unit;
+      if (comes_before(split, best)) best = split;
+    }
+    return best;
+  }
+};
+
+// Nodes of one depth. The children of the first are the first two of the next level, and so on.
+template <class Executor>
+struct BinaryLevel {
+  ArrayOf<Executor, LeafRange> ranges{};
+  ArrayOf<Executor, Boxf> spaces{}; // in which twice the centres of a range's leaves are; until it is split
+  ArrayOf<Executor, std::uint32_t> first_child{};
+  std::uint32_t first_node = 0; // its nodes' numbers in the hierarchy follow one another
+};
+
+// Leaves sorted by their ranges in a level, but for those that are alone.
+template <class Executor>
+struct LeafOrder {
+  ArrayOf<Executor, std::uint32_t> leaves{}, ranges{};
+
+  LeafOrder(const Executor& executor, std::uint64_t count)
+      : leaves(executor.template array<std::uint32_t>(count)),
+        ranges(executor.template array<std::uint32_t>(count)) {}
+};
+
+// Splits a level's ranges and sorts the leaves anew; returns the next level.
+template <class Executor>
+BinaryLevel<Executor> split_level(Executor& executor, const ArrayOf<Executor, BinaryNode>& leaves,
+                                  std::uint32_t most, BinaryLevel<Executor>& level,
+                                  LeafOrder<Executor>& order) {
+  const std::uint64_t range_count = level.ranges.size(), count = order.leaves.size();
+  auto splits = executor.template array<LeafSplit>(range_count);
+  const BinaryNode* const leaf = leaves.data();
+  const std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
+  const LeafRange* const range = level.ranges.data();
+  const Boxf* const space = level.spaces.data();
+  LeafSplit* const split = splits.data();
+  executor.for_each_by_group(range_count, SplitRanges{leaf, ordered_leaf, range, space, split, most});
+  level.first_child = sums_before(executor, range_count,
+                                  [=] MASU_PASS(std::uint64_t i) { return range[i].count > 1 ? 2U : 0U; });
+  const auto left_sums = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
+    return split[range_of[i]].is_left(leaf[ordered_leaf[i]]);
+  });
+  const std::uint32_t *const first_child = level.first_child.data(), *const left_before = left_sums.data();
+  const std::uint64_t child_count = executor.value(level.first_child, range_count);
+  BinaryLevel<Executor> below{executor.template array<LeafRange>(child_count),
+                              executor.template array<Boxf>(child_count)};
+  LeafRange* const child = below.ranges.data();
+  Boxf* const child_space = below.spaces.data();
+  executor.for_each(range_count, [=] MASU_PASS(std::uint64_t i) {
+    const auto [first, in_range] = range[i];
+    if (in_range == 1) return;
+    std::uint32_t left = left_before[first + in_range] - left_before[first];
+    if (left == 0 || left == in_range) {
+      split[i].axis = -1;
+      left = in_range / 2;
+    }
+    const std::uint32_t at = first_child[i];
+    child[at].count = left;
+    child[at + 1].count = in_range - left;
+    child_space[at] = child_space[at + 1] = space[i];
+    if (split[i].axis < 0) return;
+    child_space[at].max.set(split[i].axis, split[i].place);
+    child_space[at + 1].min.set(split[i].axis, split[i].place);
+  });
+  const auto places = sums_before(executor, child_count, [=] MASU_PASS(std::uint64_t i) {
+    return child[i].count > 1 ? child[i].count : 0U;
+  });
+  LeafOrder<Executor> next(executor, executor.value(places, child_count));
+  const std::uint32_t* const place = places.data();
+  std::uint32_t *const next_leaf = next.leaves.data(), *const next_range_of = next.ranges.data();
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    const std::uint32_t own = range_of[i], first = range[own].first, left_child = first_child[own];
+    const auto in_range = static_cast<std::uint32_t>(i) - first;
+    const bool halved = split[own].axis < 0;
+    const std::uint32_t left = halved ? std::min(in_range, child[left_child].count)
+                                      : left_before[i] - left_before[first]; // before it
+    const bool is_left = halved ? in_range < child[left_child].count : left_before[i + 1] != left_before[i];
+    const std::uint32_t to = left_child + (is_left ? 0 : 1), before = is_left ? left : in_range - left;
+    if (child[to].count == 1) {
+      child[to].first = ordered_leaf[i];
+      return;
+    }
+    if (before == 0) child[to].first = place[to];
+    next_leaf[place[to] + before] = ordered_leaf[i];
+    next_range_of[place[to] + before] = to;
+  });
+  order = std::move(next);
+  level.spaces = {};
+  return below;
+}
+
+template <class Executor>
+BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, const ArrayOf<Executor, BinaryNode>& leaves,
+                                             const Boxd& scene_space) {
+  const std::uint64_t count = leaves.size();
+  BinaryHierarchy<Executor> hierarchy;
+  if (count == 0) return hierarchy;
+  // The root, one that isn't there, and the others in pairs.
+  hierarchy.nodes = executor.template array<BinaryNode>(2 * count);
+  hierarchy.choices = executor.template array<CollapseChoice>(2 * count);
+  LeafOrder<Executor> order(executor, count > 1 ? count : 0);
+  std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
+  executor.for_each(order.leaves.size(), [=] MASU_PASS(std::uint64_t i) {
+    ordered_leaf[i] = static_cast<std::uint32_t>(i);
+    range_of[i] = 0;
+  });
+  BinaryLevel<Executor> next{executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
+  LeafRange* const all = next.ranges.data();
+  Boxf* const space = next.spaces.data();
+  executor.for_each(1, [=, twice = cast<float>(scene_space)] MASU_PASS(std::uint64_t) {
+    *all = {0, static_cast<std::uint32_t>(count)};
+    *space = {twice.min + twice.min, twice.max + twice.max};
+  });
+  std::vector<BinaryLevel<Executor>> levels;
+  for (std::uint32_t first_pair = 1; next.ranges.size() > 0;) {
+    // What is split off may leave one leaf fewer, which must still fit below when halved again and again.
+    const int levels_below = max_hierarchy_depth - 2 - static_cast<int>(levels.size());
+    levels.push_back(std::move(next));
+    next = split_level(executor, leaves, 1U << std::clamp(levels_below, 0, 31), levels.back(), order);
+    next.first_node = 2 * first_pair;
+    first_pair += static_cast<std::uint32_t>(next.ranges.size() / 2);
+  }
+  const BinaryNode* const leaf = leaves.data();
+  BinaryNode* const nodes = hierarchy.nodes.data();
+  CollapseChoice* const choices = hierarchy.choices.data();
+  std::uint32_t first_below = 0;
+  auto costs_below = executor.template array<CollapseCosts>(0);
+  for (; !levels.empty(); levels.pop_back()) {
+    const BinaryLevel<Executor>& level = levels.back();
+    auto level_costs = executor.template array<CollapseCosts>(level.ranges.size());
+    CollapseCosts* const costs = level_costs.data();
+    const CollapseCosts* const below = costs_below.data();
+    const LeafRange* const range = level.ranges.data();
+    const std::uint32_t* const first_child = level.first_child.data();
+    const std::uint32_t first_node = level.first_node;
+    executor.for_each(level.ranges.size(), [=] MASU_PASS(std::uint64_t i) {
+      BinaryNode& node = nodes[first_node + i];
+      if (range[i].count == 1) {
+        node = leaf[range[i].first];
+        costs[i] = collapse_costs_of_leaf(node);
+      } else {
+        const std::uint32_t child = first_child[i], left = first_below + child;
+        const Boxf box = join(nodes[left].box(), nodes[left + 1].box());
+        node = {box.min, left, box.max, nodes[left].count + nodes[left + 1].count};
+        costs[i] = collapse_costs(node, below[child], below[child + 1]);
+      }
+      choices[first_node + i] = costs[i].choice;
+    });
+    first_below = first_node;
+    costs_below = std::move(level_costs);
+  }
+  return hierarchy;
+}
+
+} // namespace masu

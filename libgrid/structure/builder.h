@@ -1,0 +1,66 @@
+// Grid builders: the CPU, or a CUDA device. Both make the same bytes.
+#pragma once
+
+#include "libgrid/structure/structure.h"
+#include "libscene/base/progress_monitor.h"
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace masu {
+
+// What building on a device took: initialising it, uploading the primitives, building, and downloading the
+// grids.
+struct DeviceSeconds {
+  double set_up = 0, upload = 0, build = 0, download = 0;
+};
+
+// The scene must outlive it.
+template <class Stored>
+class GridBuilder {
+public:
+  // What `progress` throws ends a build, and any thread may call it (progress_monitor.h).
+  explicit GridBuilder(std::function<void(double)> progress = {}) : progress_(std::move(progress)) {}
+  GridBuilder(const GridBuilder&) = delete;
+  GridBuilder& operator=(const GridBuilder&) = delete;
+  virtual ~GridBuilder() = default;
+
+  // A grid of any kind but automatic. For a hierarchy the layout's space and margin matter alone, and every
+  // builder builds one of high quality on the CPU. Throws Error(input) for more primitives than grids can
+  // number, and Error(usage, "structure", …) for a hierarchy of a scene that reaches too far.
+  virtual Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) = 0;
+  // The same, but throws Error(usage, "division", …) for a layout that exceeds a limit.
+  Grid build(const GridLayout& layout, Overlap overlap, const GridOptions& options = {});
+
+  // As refit_hierarchy() (hierarchy_builder.h), on the builder's device.
+  virtual bool refit(const GridLayout& layout, Grid& hierarchy) = 0;
+
+  virtual const SceneView<Stored>& scene() const = 0;
+  virtual DeviceSeconds device_seconds() const { return {}; }
+  // Of what is built next.
+  ProgressMonitor& progress() { return progress_; }
+
+private:
+  ProgressMonitor progress_;
+};
+
+// `progress` gets shares of the work of merged grids and hierarchies of high quality.
+template <class Stored>
+std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
+                                                 std::function<void(double)> progress = {});
+
+// On a CUDA device, which is the thread's current one until the builder is destroyed. Throws Error(device)
+// where there is none, and when it fails.
+template <class Stored>
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device = 0,
+                                                  std::function<void(double)> progress = {});
+
+// On the CPU.
+template <class Stored>
+Grid build_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                const GridOptions& options = {}) {
+  return cpu_builder(scene)->build(layout, overlap, options);
+}
+
+} // namespace masu

@@ -1,0 +1,204 @@
+// One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
+#include "libgrid/grid/merge_passes.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/hierarchy/leaf_passes.h"
+#include "libgrid/hierarchy/moved_hierarchy.h"
+#include "libgrid/hierarchy/refit_passes.h"
+#include "libgrid/hierarchy/top_down_passes.h"
+#include "libgrid/structure/builder.h"
+#include "libscene/base/stopwatch.h"
+#include "libscene/cuda/cuda_device.h"
+#include "libscene/cuda/device_primitives.h"
+#include "libscene/geometry/margin.h"
+#include "libscene/mesh/move_passes.h"
+#include "libscene/passes/cuda_executor.h"
+
+#include <chrono>
+#include <future>
+
+namespace masu {
+namespace {
+
+// A scene whose primitives are on the device, and nothing else of it.
+template <class Stored>
+struct UploadedScene {
+  SceneView<Stored> view;
+  Transfer upload;
+  DevicePrimitives<Stored> primitives;
+
+  UploadedScene(const SceneView<Stored>& host, cudaMemPool_t pool)
+      : view(host), upload(pool), primitives(view, InHostMemory{}, upload) {
+    upload.run();
+  }
+};
+
+// Calls act() in a thread of its own, whose device is the GPU whatever the caller's is, and which has no
+// errors of the caller's that CUB would take for its own. The caller reports while it waits.
+template <class Act>
+auto on_gpu(int gpu, const ProgressMonitor* progress, const Act& act) {
+  auto end = std::async(std::launch::async, [&] {
+    check(cudaSetDevice(gpu));
+    return act();
+  });
+  while (end.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+    check_progress(progress);
+  return end.get();
+}
+
+template <class Stored>
+class CudaBuilder final : public GridBuilder<Stored> {
+public:
+  CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress)
+      : GridBuilder<Stored>(std::move(progress)), host_(scene), gpu_(gpu) {
+    std::string why;
+    if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
+    on_gpu(gpu_, &this->progress(), [&] {
+      const Stopwatch watch;
+      pool_ = std::make_unique<MemoryPool>();
+      executor_ = std::make_unique<CudaExecutor>(*pool_, &this->progress());
+      warm_up();
+      seconds_.set_up = watch.seconds();
+      device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_);
+      seconds_.upload = watch.seconds() - seconds_.set_up;
+    });
+  }
+  ~CudaBuilder() override {
+    on_device_if_possible(gpu_, [&] { device_.reset(); });
+  }
+  CudaBuilder(const CudaBuilder&) = delete;
+  CudaBuilder& operator=(const CudaBuilder&) = delete;
+
+  Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
+    if (options.kind == GridKind::hierarchy && options.quality == HierarchyQuality::high)
+      return hierarchy_grid(host_, layout, options.quality, &this->progress()); // by the CPU
+    return on_gpu(gpu_, &this->progress(), [&] {
+      if (options.kind == GridKind::hierarchy) {
+        check_hierarchy(host_.primitive_count(), layout.space);
+        return built([&] { return fast_hierarchy(device_->view, layout); });
+      }
+      if (options.kind == GridKind::uniform)
+        return built([&] {
+          return uniform_grid(*executor_, device_->view, layout, overlap, options.max_references,
+                              options.max_map_words);
+        });
+      return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
+    });
+  }
+
+  bool refit(const GridLayout& layout, Grid& hierarchy) override {
+    check_hierarchy(host_.primitive_count(), layout.space);
+    return on_gpu(gpu_, nullptr, [&] {
+      const Queue queue{nullptr, *pool_};
+      DeviceArray<HierarchyNode> nodes(hierarchy.nodes.data(), hierarchy.nodes.size(), queue);
+      const DeviceArray<PrimitiveIndex> references(hierarchy.references.data(), hierarchy.references.size(),
+                                                   queue);
+      const DeviceTimer timer;
+      const bool fits = holds_all(*executor_, device_->view, references);
+      if (fits)
+        masu::refit(*executor_, device_->view, layout.margin, nodes, references.data(), references.size());
+      seconds_.build += timer.seconds();
+      if (!fits) return false;
+      nodes.download(hierarchy.nodes.data());
+      hierarchy.layout = {layout.space, {1, 1, 1}, layout.margin};
+      return true;
+    });
+  }
+
+  const SceneView<Stored>& scene() const override { return host_; }
+  DeviceSeconds device_seconds() const override { return seconds_; }
+
+private:
+  // Code is brought to the device when it is first called: this isn't timed.
+  void warm_up() {
+    const Triangle<Stored> triangle{{0, 0, 0}, 0, {1, 0, 0}, 0, {0, 1, 1}, no_normals};
+    const Triangle<Stored> pair[] = {triangle, triangle}; // of one, nothing is split
+    SceneView<Stored> two{};
+    two.triangles = pair;
+    two.triangle_count = 2;
+    const UploadedScene<Stored> uploaded(two, *pool_);
+    const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
+    uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
+    merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {GridKind::irregular});
+    fast_hierarchy(uploaded.view, layout);
+    check(cudaDeviceSynchronize());
+  }
+
+  ExecutorGrid<CudaExecutor> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout) {
+    return collapsed_hierarchy(
+        *executor_, layout,
+        top_down_hierarchy(*executor_, hierarchy_leaves(*executor_, scene, layout), layout.space));
+  }
+
+  template <class Build>
+  Grid built(const Build& build) {
+    const DeviceTimer timer;
+    const ExecutorGrid<CudaExecutor> grid = build();
+    seconds_.build += timer.seconds();
+    const Stopwatch watch;
+    Grid copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {},
+              {},          {},        grid.detail,     grid.exceeded};
+    if (copy.exceeded != nullptr) return copy;
+    Transfer transfer(*pool_);
+    const auto fetch = [&](const auto& from, auto& to) {
+      to.resize(from.size());
+      transfer.to_host(to.data(), from.data(), from.size() * sizeof(to[0]));
+    };
+    fetch(grid.voxel_map, copy.voxel_map);
+    fetch(grid.cells, copy.cells);
+    fetch(grid.references, copy.references);
+    fetch(grid.nodes, copy.nodes);
+    transfer.run();
+    seconds_.download += watch.seconds();
+    return copy;
+  }
+
+  SceneView<Stored> host_;
+  int gpu_;
+  std::unique_ptr<MemoryPool> pool_;
+  std::unique_ptr<UploadedScene<Stored>> device_;
+  std::unique_ptr<CudaExecutor> executor_;
+  DeviceSeconds seconds_;
+};
+
+} // namespace
+
+template <class Stored, class Number>
+MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const GridRecords& hierarchy,
+                                       const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu) {
+  return on_gpu(gpu, nullptr, [&] {
+    CudaExecutor executor(pool);
+    auto moved = moved_triangles(executor, scene, vertices, hierarchy.references, hierarchy.reference_count,
+                                 max_hierarchy_reach);
+    MovedHierarchy<Stored> found{std::move(moved.triangles), {}, moved.bounds};
+    if (moved.is_missing) return found;
+    found.nodes = executor.template array<HierarchyNode>(hierarchy.node_count);
+    check(cudaMemcpyAsync(found.nodes.data(), hierarchy.nodes, hierarchy.node_count * sizeof(HierarchyNode),
+                          cudaMemcpyDeviceToDevice, nullptr));
+    SceneView<Stored> view = scene;
+    view.triangles = found.triangles.data();
+    refit(executor, view, is_empty(moved.bounds) ? 0 : rounding_margin<Stored>(moved.bounds), found.nodes,
+          hierarchy.references, hierarchy.reference_count);
+    check(cudaStreamSynchronize(nullptr));
+    return found;
+  });
+}
+template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const GridRecords&,
+                                               const MovedVertices<float>&, cudaMemPool_t, int);
+template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const GridRecords&,
+                                               const MovedVertices<double>&, cudaMemPool_t, int);
+template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const GridRecords&,
+                                                const MovedVertices<float>&, cudaMemPool_t, int);
+template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const GridRecords&,
+                                                const MovedVertices<double>&, cudaMemPool_t, int);
+
+template <class Stored>
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device,
+                                                  std::function<void(double)> progress) {
+  return std::make_unique<CudaBuilder<Stored>>(scene, device, std::move(progress));
+}
+template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&, int,
+                                                          std::function<void(double)>);
+template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&, int,
+                                                           std::function<void(double)>);
+
+} // namespace masu

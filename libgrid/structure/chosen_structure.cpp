@@ -1,0 +1,274 @@
+#include "libgrid/structure/chosen_structure.h"
+
+#include "libgrid/hierarchy/binary_hierarchy.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/structure/sampled_costs.h"
+#include "libscene/base/available_memory.h"
+#include "libscene/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace masu {
+namespace {
+
+// About how many bytes building takes at its peak, for so many references.
+double expected_build_bytes(const GridLayout& layout, double references) {
+  // Pairs as they are emitted, and sorted; a block's map for each few cells.
+  constexpr double pair_bytes = 8 + sizeof(std::uint64_t) + sizeof(PrimitiveIndex);
+  const std::int32_t block_log2 = block_log2_for(layout.division);
+  const double words = static_cast<double>(voxel_count(blocks_of(layout.division, block_log2)));
+  const double block_maps = block_log2 == 0 ? 0 : references / 16 * 512 * 4;
+  return 4 * words + block_maps + references * pair_bytes;
+}
+
+// Throws Error(usage, "division", …).
+void check_memory(const GridLayout& layout, double references, bool is_automatic) {
+  const double needed = expected_build_bytes(layout, references), available = available_memory();
+  if (needed <= available) return;
+  const Vec3i n = layout.division;
+  throw Error(
+      ErrorCode::usage, "division",
+      fmt::format("{}{}x{}x{} voxels need about {:.1f} GB to build, {:.1f} GB are free: choose a coarser one",
+                  is_automatic ? "auto is too fine for this machine: " : "", n.x, n.y, n.z, needed / 1e9,
+                  available / 1e9));
+}
+
+// As files have it.
+std::string merge_text(const Grid& grid, const GridOptions& options) {
+  switch (grid.kind) {
+  case GridKind::x:
+    return "x";
+  case GridKind::balance:
+    return fmt::format("balance target {}", options.target);
+  case GridKind::irregular:
+    return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
+                       grid.detail, options.step_cost, options.alpha, options.expansions);
+  case GridKind::hierarchy:
+    return merge_rule_of(options.quality);
+  case GridKind::uniform:
+  case GridKind::automatic:
+  case GridKind::fastest:
+    break;
+  }
+  return "";
+}
+
+struct Candidate {
+  GridLayout layout;
+  GridOptions options;
+  std::uint64_t primitives;
+};
+
+// What is built on this layout, within limits that keep its time and memory to about eight times a
+// hierarchy's where nobody gave the division. They depend on the geometry alone.
+Candidate candidate(GridKind kind, const GridLayout& layout, const BuildOptions& options,
+                    const DivisionStatistics& statistics) {
+  const std::uint64_t primitives = statistics.all.primitives;
+  Candidate made{layout, options.grid, primitives};
+  made.options.kind = kind;
+  const bool automatic_division = options.division.kind == DivisionRule::Kind::automatic;
+  const auto limit = [](double count) {
+    return static_cast<std::uint64_t>(std::min(count, static_cast<double>(max_numbered)));
+  };
+  // Expected references are those of the exact overlap test.
+  if (automatic_division) made.options.max_references = limit(4 * most_references(primitives));
+  if (kind == GridKind::uniform) {
+    const double words =
+        0x1p23 + 8 * hierarchy_bytes_per_primitive / sizeof(std::uint32_t) * static_cast<double>(primitives);
+    made.options.max_map_words = automatic_division ? limit(words) : ~std::uint64_t{0};
+  }
+  // SPD scenes make up to 72 fragments per primitive on all levels. Boxes meet more voxels than expected.
+  constexpr double always = 0x1p16;
+  const double fragments_per_reference = options.overlap == Overlap::box ? 1024 : 128;
+  const double listed = automatic_division && kind == GridKind::irregular
+                            ? static_cast<double>(primitives)
+                            : expected_references(statistics.all, layout);
+  made.options.max_fragments = static_cast<std::uint64_t>(always + fragments_per_reference * listed);
+  return made;
+}
+
+// A layout's division times a factor along each axis.
+GridLayout scaled(GridLayout layout, double factor) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double voxels = std::clamp<double>(std::round(layout.division[axis] * factor), 1, largest_division);
+    layout.division.set(axis, static_cast<std::int32_t>(voxels));
+  }
+  return layout;
+}
+
+// At least one; more than one where the choice is automatic.
+template <class Stored>
+std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd& bounds,
+                                      const BuildOptions& options) {
+  const DivisionStatistics statistics = division_statistics(scene);
+  const bool automatic_division = options.division.kind == DivisionRule::Kind::automatic;
+  const GridKind kind = options.grid.kind;
+  std::vector<Candidate> candidates;
+  const auto layout_by = [&](const DivisionRule& rule) {
+    return make_grid_layout<Stored>(bounds, options.space, rule, statistics);
+  };
+  const auto add = [&](GridKind of, const GridLayout& layout) {
+    for (const Candidate& known : candidates)
+      if (known.options.kind == of && known.layout.division == layout.division) return;
+    check_memory(layout, expected_references(statistics.all, layout), automatic_division);
+    candidates.push_back(candidate(of, layout, options, statistics));
+  };
+  const auto add_uniform = [&](std::initializer_list<double> factors) {
+    const GridLayout usual = layout_by(options.division);
+    for (const double factor : factors) {
+      const GridLayout layout = scaled(usual, factor);
+      if (factor <= 1 ||
+          expected_references(statistics.all, layout) <= most_references(statistics.all.primitives))
+        add(GridKind::uniform, layout);
+    }
+  };
+  const auto add_irregular = [&] { // whose voxels start out coarser, unless their division was given
+    DivisionRule rule = options.division;
+    if (automatic_division) rule.kind = DivisionRule::Kind::nested;
+    const GridLayout usual = layout_by(rule);
+    add(GridKind::irregular, usual);
+    if (automatic_division) add(GridKind::irregular, scaled(usual, 0.25));
+  };
+  const auto add_hierarchy = [&] { // whose space isn't divided
+    DivisionRule rule;
+    rule.kind = DivisionRule::Kind::fixed;
+    add(GridKind::hierarchy, layout_by(rule));
+  };
+  if (kind == GridKind::hierarchy) {
+    add_hierarchy();
+  } else if (kind == GridKind::irregular) {
+    add_irregular();
+  } else if (kind == GridKind::fastest || (kind == GridKind::automatic && automatic_division)) {
+    add_uniform({1});
+    add_irregular();
+    // By the geometry alone, not by the memory that is free: the same scene gives the same bytes.
+    if (kind == GridKind::fastest && fits_hierarchy(candidates.front().layout.space) &&
+        scene.primitive_count() <= max_hierarchy_primitives)
+      add_hierarchy();
+  } else if (kind == GridKind::uniform && automatic_division) {
+    add_uniform({1, 0.625, 1.6});
+  } else {
+    GridLayout layout = layout_by(options.division);
+    // A merged grid's map has a word for each voxel.
+    const double most_voxels = 0x1p25 + 64 * static_cast<double>(statistics.all.primitives);
+    while (automatic_division && static_cast<double>(voxel_count(layout.division)) > most_voxels)
+      layout = scaled(layout, 0.8);
+    // Whoever gives a division means those voxels, not ones to divide further.
+    add(kind == GridKind::automatic ? GridKind::uniform : kind, layout);
+  }
+  return candidates;
+}
+
+// Where nothing is to be chosen, or nothing could be built within the limits of a choice: the candidate, or,
+// where nobody gave the division, the first one without nested voxels, twice as large each time, that can be.
+template <class Stored>
+Grid usual_one(Candidate candidate, GridBuilder<Stored>& builder, const BuildOptions& options) {
+  if (options.division.kind == DivisionRule::Kind::automatic) {
+    while (candidate.layout.division != Vec3i{1, 1, 1}) {
+      Grid built = builder.try_build(candidate.layout, options.overlap, candidate.options);
+      if (built.exceeded == nullptr) return built;
+      candidate.layout = scaled(candidate.layout, 0.5);
+      candidate.options.nested_log2 = 0;
+    }
+  }
+  return builder.build(candidate.layout, options.overlap, candidate.options);
+}
+
+// The first structure is traced as long as a hierarchy takes to build, or some grid; the others by as many
+// rays, and no longer than could pay.
+SampleLimits limits_for(const Candidate& first) {
+  const auto primitives = static_cast<double>(first.primitives);
+  const double work =
+      first.options.kind == GridKind::hierarchy ? 0x1p19 + 16 * primitives : 0x1p20 + 64 * primitives;
+  return {SampleLimits{}.rays, static_cast<std::uint64_t>(work)};
+}
+SampleLimits limits_after(const SampledCosts& first) {
+  return {first.rays, (std::uint64_t{1} << 21) + 4 * first.work};
+}
+
+template <class Stored>
+Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& builder,
+                const BuildOptions& options, std::vector<Considered>& considered) {
+  if (candidates.size() == 1 || builder.scene().primitive_count() == 0)
+    return usual_one(candidates.front(), builder, options);
+  struct Built {
+    Grid grid;
+    SampledCosts costs;
+  };
+  std::optional<SampleLimits> limits;
+  std::size_t tried = 0;
+  // None where a limit is exceeded.
+  const auto built = [&](const Candidate& candidate) -> std::optional<Built> {
+    builder.progress().begin_part(tried++, candidates.size());
+    Built one{builder.try_build(candidate.layout, options.overlap, candidate.options), {}};
+    if (one.grid.exceeded != nullptr) return std::nullopt;
+    one.costs = sampled_costs(builder.scene(), one.grid, limits ? *limits : limits_for(candidate),
+                              &builder.progress());
+    if (limits && one.costs.rays < limits->rays) return std::nullopt;
+    if (!limits) limits = limits_after(one.costs);
+    return one;
+  };
+  // A hierarchy is the last candidate, but built first: the others are measured by it.
+  std::optional<Built> hierarchy;
+  if (candidates.back().options.kind == GridKind::hierarchy) hierarchy = built(candidates.back());
+  // What comes first is the usual one. Pictures take up to 7 % longer through a coarser top division that
+  // lists take as long through: their threads share no tests.
+  constexpr double clearly = 0.95;
+  Grid fastest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Candidate& candidate : candidates) {
+    const GridKind kind = candidate.options.kind;
+    std::optional<Built> one = kind == GridKind::hierarchy ? std::move(hierarchy) : built(candidate);
+    if (!one) continue;
+    const double time = expected_time(one->costs, kind, options.processor);
+    considered.push_back({kind, candidate.layout.division, one->costs, time});
+    if (!(time < clearly * least)) continue;
+    least = time;
+    fastest = std::move(one->grid);
+  }
+  return considered.empty() ? usual_one(candidates.front(), builder, options) : std::move(fastest);
+}
+
+} // namespace
+
+GridKind kind_of(StructureChoice structure, GridKind merge, const DivisionRule& division,
+                 HierarchyQuality quality) {
+  const bool is_merge_given = merge != GridKind::automatic;
+  if (structure == StructureChoice::hierarchy) {
+    if (is_merge_given) throw Error(ErrorCode::usage, "merge", "is of grids alone");
+    return GridKind::hierarchy;
+  }
+  if (structure == StructureChoice::fastest && !is_merge_given &&
+      division.kind == DivisionRule::Kind::automatic)
+    return GridKind::fastest;
+  if (quality != HierarchyQuality::high) throw Error(ErrorCode::usage, "quality", "is of hierarchies alone");
+  return merge;
+}
+
+template <class Stored>
+DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
+                           const BuildOptions& options) {
+  const std::vector<Candidate> candidates = candidates_for(builder.scene(), geometry.bounds, options);
+  DescribedGrid result;
+  result.grid = fastest_of(candidates, builder, options, result.considered);
+  result.provenance = {geometry.hash,
+                       builder.scene().primitive_count(),
+                       geometry.origin,
+                       options.space,
+                       options.overlap,
+                       options.division.text,
+                       merge_text(result.grid, options.grid)};
+  return result;
+}
+template DescribedGrid build_chosen(GridBuilder<float>&, const SceneGeometry&, const BuildOptions&);
+template DescribedGrid build_chosen(GridBuilder<double>&, const SceneGeometry&, const BuildOptions&);
+
+} // namespace masu

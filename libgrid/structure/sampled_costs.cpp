@@ -1,0 +1,155 @@
+#include "libgrid/structure/sampled_costs.h"
+
+#include "libgrid/file/structure_file.h"
+#include "libgrid/trace/trace.h"
+#include "libscene/geometry/random_rays.h"
+#include "libscene/geometry/surface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace masu {
+namespace {
+
+struct StepCounts {
+  static constexpr bool is_counted = true;
+  std::uint64_t steps = 0, tests = 0;
+
+  void triangle_test() { ++tests; }
+  void sphere_test() { ++tests; }
+  void cone_test() { ++tests; }
+  void cell(bool /*empty*/) { ++steps; }
+  void skipped(std::int32_t /*voxels*/) {}
+};
+
+struct Traced {
+  StepCounts counts;
+  std::optional<Ray<double>> scattered; // where anything is hit
+};
+
+template <class Stored, class View>
+Traced trace(const SceneView<Stored>& scene, const View& view, const Ray<double>& ray,
+             RandomSequence& random) {
+  Traced traced;
+  const auto near =
+      nearest_hit_near<Method<WatertightRay<double>, with_all_kinds>>(scene, view, ray, traced.counts);
+  if (near.hit.primitive == no_primitive) return traced;
+  const SurfacePoint<double> point = surface_at<with_all_kinds>(scene, near);
+  const Vec3d direction = random_diffuse_direction(facing(point, ray.direction).normal, random);
+  traced.scattered = unbounded_ray(leaving(point, direction), direction);
+  return traced;
+}
+
+// Between two random points of the sphere; of unit length at any scale, unlike random_ray().
+Ray<double> ray_across(const Sphere<double>& sphere, RandomSequence& random) {
+  const Vec3d from = random_direction(random), to = random_direction(random);
+  return unbounded_ray(fma(from, sphere.radius, sphere.center), normalized(to - from));
+}
+
+Vec3d random_point(const Boxd& box, RandomSequence& random) {
+  const Vec3d at{random.uniform(), random.uniform(), random.uniform()}, size = box.max - box.min;
+  return {fma(at.x, size.x, box.min.x), fma(at.y, size.y, box.min.y), fma(at.z, size.z, box.min.z)};
+}
+
+// From a random point within the bounds towards one of a random primitive's box.
+template <class Stored>
+Ray<double> aimed_ray(const SceneView<Stored>& scene, const Boxd& bounds_of_all, RandomSequence& random) {
+  const auto primitive =
+      static_cast<PrimitiveIndex>(random.uniform() * static_cast<double>(scene.primitive_count()));
+  const Vec3d from = random_point(bounds_of_all, random);
+  Vec3d to = from;
+  with_primitive(scene, primitive, [&](const auto& aim) { to = random_point(bounds(aim), random); });
+  return unbounded_ray(from, normalized(to - from));
+}
+
+RayCost mean(const std::vector<StepCounts>& counts, std::size_t rays) {
+  std::uint64_t steps = 0, tests = 0; // whole numbers: any order gives the same sum
+  for (const StepCounts& count : counts) {
+    steps += count.steps;
+    tests += count.tests;
+  }
+  const auto n = static_cast<double>(std::max<std::size_t>(rays, 1));
+  return {static_cast<double>(steps) / n, static_cast<double>(tests) / n};
+}
+
+template <class Stored, class View>
+SampledCosts costs_through(const SceneView<Stored>& scene, const View& view, const SampleLimits& limits,
+                           const ProgressMonitor* progress) {
+  const Boxd space = cast<double>(scene.clip);
+  const Sphere<double> sphere = sphere_around(space);
+  std::vector<StepCounts> across(limits.rays), aimed(limits.rays), scattered(limits.rays);
+  std::vector<std::uint8_t> is_hit(limits.rays);
+  const auto trace_one = [&](std::size_t i) {
+    if (i % 16 == 0) check_progress(progress);
+    RandomSequence random(1, i);
+    across[i] = trace(scene, view, ray_across(sphere, random), random).counts;
+    const Traced first = trace(scene, view, aimed_ray(scene, space, random), random);
+    aimed[i] = first.counts;
+    if (!first.scattered) return;
+    is_hit[i] = 1;
+    scattered[i] = trace(scene, view, *first.scattered, random).counts;
+  };
+  // Twice as many each time: few where a single ray takes long.
+  SampledCosts costs;
+  while (costs.rays < limits.rays && costs.work <= limits.work) {
+    const std::size_t end = std::min(limits.rays, std::max<std::size_t>(16, 2 * costs.rays));
+    tbb::parallel_for(costs.rays, end, trace_one);
+    for (std::size_t& i = costs.rays; i != end; ++i) {
+      for (const StepCounts& counts : {across[i], aimed[i], scattered[i]})
+        costs.work += counts.steps + counts.tests;
+    }
+  }
+  const auto hits = static_cast<std::size_t>(std::ranges::count(is_hit, 1));
+  costs.across = mean(across, costs.rays);
+  costs.aimed = mean(aimed, costs.rays);
+  costs.scattered = mean(scattered, hits);
+  return costs;
+}
+
+// Of a step to a cell or a node, and of a test: not seconds, but rounded numbers by which the choice among
+// structures is within a percent of the best for measured rates. tools/bench/scripts/choice.py measures it,
+// and prints those that would be best.
+struct UnitCosts {
+  double step, test;
+};
+UnitCosts unit_costs(GridKind kind, Processor processor) {
+  const bool gpu = processor == Processor::gpu;
+  switch (kind) {
+  case GridKind::uniform:
+    return gpu ? UnitCosts{1, 0.45} : UnitCosts{1.2, 1.2};
+  case GridKind::hierarchy:
+    return gpu ? UnitCosts{0.8, 1.5} : UnitCosts{1, 0.5};
+  default:
+    return gpu ? UnitCosts{1, 0.9} : UnitCosts{1, 3};
+  }
+}
+
+} // namespace
+
+template <class Stored>
+SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid, const SampleLimits& limits,
+                           const ProgressMonitor* progress) {
+  SampledCosts costs;
+  if (scene.primitive_count() == 0) return costs;
+  with_grid_view<double>(grid,
+                         [&](const auto& view) { costs = costs_through(scene, view, limits, progress); });
+  return costs;
+}
+template SampledCosts sampled_costs(const SceneView<float>&, const Grid&, const SampleLimits&,
+                                    const ProgressMonitor*);
+template SampledCosts sampled_costs(const SceneView<double>&, const Grid&, const SampleLimits&,
+                                    const ProgressMonitor*);
+
+double expected_time(const SampledCosts& costs, GridKind kind, Processor processor) {
+  const UnitCosts unit = unit_costs(kind, processor);
+  double product = 1;
+  for (const RayCost& ray : {costs.across, costs.aimed, costs.scattered})
+    product *= unit.step * ray.steps + unit.test * ray.tests;
+  return std::cbrt(product);
+}
+
+} // namespace masu

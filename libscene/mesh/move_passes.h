@@ -1,0 +1,139 @@
+// A scene's triangles between vertices that have moved, on whatever executor (libscene/passes/executor.h).
+// They are those of a new scene of these vertices with the same origin and store, byte for byte.
+//
+//   1. survey  of what they will be: bounds, the first one with an area, and what is wrong
+//   2. write   them, relative to the origin, as they are stored
+#pragma once
+
+#include "libscene/base/error.h"
+#include "libscene/file/scene_file.h"
+#include "libscene/local_origin.h"
+#include "libscene/mesh/points.h"
+#include "libscene/mesh/triangle_area.h"
+#include "libscene/passes/passes.h"
+#include "libscene/scene_view.h"
+
+#include <string>
+
+namespace masu {
+
+// Vertices in the world, where the executor's code sees them, and triangles between them.
+template <class Number>
+struct MovedVertices {
+  const Number* numbers;        // three per vertex
+  const std::uint32_t* indices; // three per triangle, each a vertex's; null: vertices follow one another
+  Vec3d origin;                 // the scene's
+
+  MASU_HD Vec3d corner(std::uint64_t i) const {
+    const Number* const v = numbers + 3 * (indices != nullptr ? std::uint64_t{indices[i]} : i);
+    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+  }
+  // Triangle i's corners.
+  MASU_HD Triangle<double> face(std::uint64_t i) const {
+    return {corner(3 * i), 0, corner(3 * i + 1), 0, corner(3 * i + 2), no_normals};
+  }
+};
+
+template <class Stored>
+MASU_HD Vec3<Stored> stored_point(const Vec3d& origin, const Vec3d& point) {
+  return cast<Stored>(relative_to(origin, point));
+}
+template <class Stored>
+MASU_HD Triangle<Stored> stored_triangle(const Vec3d& origin, const Triangle<double>& face) {
+  using Tag = typename Triangle<Stored>::Tag;
+  return {stored_point<Stored>(origin, face.a), static_cast<Tag>(face.object),
+          stored_point<Stored>(origin, face.b), static_cast<Tag>(face.material),
+          stored_point<Stored>(origin, face.c), static_cast<Tag>(face.normals)};
+}
+
+// What primitives will be.
+struct MoveSurvey {
+  Boxd bounds = empty_box<double>(); // of what can be hit, as it is stored
+  // The first triangle that has an area; a coordinate that is none; an area, but isn't referred to.
+  std::uint32_t first_surface = no_primitive, first_invalid = no_primitive, first_missing = no_primitive;
+};
+MASU_HD inline MoveSurvey join(const MoveSurvey& a, const MoveSurvey& b) {
+  return {join(a.bounds, b.bounds), min(a.first_surface, b.first_surface),
+          min(a.first_invalid, b.first_invalid), min(a.first_missing, b.first_missing)};
+}
+
+// Of primitive i.
+template <class Stored, class Number>
+struct SurveyOf {
+  SceneView<Stored> scene;
+  MovedVertices<Number> vertices;
+  const std::uint32_t* listed; // the set of what a hierarchy refers to; null: nothing is missing
+
+  MASU_HD MoveSurvey operator()(std::uint64_t index) const {
+    MoveSurvey survey;
+    const auto i = static_cast<std::uint32_t>(index), sphere = i - scene.triangle_count;
+    if (i >= scene.triangle_count) {
+      survey.bounds = sphere < scene.sphere_count ? cast<double>(bounds(scene.spheres[sphere]))
+                                                  : bounds(scene.cones[sphere - scene.sphere_count]);
+      return survey;
+    }
+    const Triangle<double> face = vertices.face(i);
+    if (!is_coordinate(face.a) || !is_coordinate(face.b) || !is_coordinate(face.c)) {
+      survey.first_invalid = i;
+    } else if (has_distinct_corners(face.a, face.b, face.c)) {
+      survey.first_surface = i;
+      survey.bounds = cast<double>(bounds(stored_triangle<Stored>(vertices.origin, face)));
+      if (listed != nullptr && (listed[i / 32] >> i % 32 & 1) == 0) survey.first_missing = i;
+    }
+    return survey;
+  }
+};
+
+template <class Executor, class Stored>
+struct MovedTriangles {
+  bool is_missing = false; // one of them can be hit, but isn't referred to: nothing else is filled in then
+  ArrayOf<Executor, Triangle<Stored>> triangles{};
+  Boxd bounds{}; // of the whole scene, relative to its origin
+};
+
+// Of a scene where the executor sees it. `references`: so many of a hierarchy, or null where nothing is to be
+// referred to. A hierarchy holds what is no farther
+// than `max_reach`. Throws Error(usage, "vertices", …) for coordinates that aren't finite or beyond 1e100, or
+// that the scene's store or a hierarchy doesn't hold. Vertices between which there is no triangle aren't
+// read.
+template <class Executor, class Stored, class Number>
+MovedTriangles<Executor, Stored>
+moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedVertices<Number>& vertices,
+                const PrimitiveIndex* references, std::uint64_t reference_count, double max_reach) {
+  const auto fail = [](const std::string& what) { throw Error(ErrorCode::usage, "vertices", what); };
+  const auto listed =
+      set_of(executor, references, reference_count, references != nullptr ? scene.primitive_count() : 0);
+  const auto survey = joined<MoveSurvey>(executor, scene.primitive_count(),
+                                         SurveyOf<Stored, Number>{scene, vertices, listed.data()});
+  if (survey.first_invalid != no_primitive)
+    fail("triangle " + std::to_string(survey.first_invalid) +
+         " has a coordinate that isn't finite or beyond 1e100");
+  if (survey.first_missing != no_primitive) return {true};
+  const bool is_all_points = survey.first_surface == no_primitive;
+  const auto in_no_surface = stored_point<Stored>(vertices.origin, points_without_surface);
+  MovedTriangles<Executor, Stored> moved{
+      false, executor.template array<Triangle<Stored>>(scene.triangle_count), survey.bounds};
+  if (is_all_points && scene.triangle_count > 0)
+    moved.bounds = join(moved.bounds, cast<double>(in_no_surface));
+  if (!reaches_within<Stored>(moved.bounds) ||
+      largest_magnitude(padded_bounds<Stored>(moved.bounds)) > max_reach)
+    fail("reach farther from the scene's origin than its store or a hierarchy holds: make a new scene");
+  const Triangle<Stored>* const before = scene.triangles;
+  Triangle<Stored>* const after = moved.triangles.data();
+  const std::uint64_t first_corner = 3 * std::uint64_t{survey.first_surface};
+  executor.for_each(scene.triangle_count, [=] MASU_PASS(std::uint64_t i) {
+    const Triangle<double> face = vertices.face(i);
+    Triangle<Stored> triangle = stored_triangle<Stored>(vertices.origin, face);
+    if (!has_distinct_corners(face.a, face.b, face.c))
+      triangle.a = triangle.b = triangle.c =
+          is_all_points ? in_no_surface
+                        : stored_point<Stored>(vertices.origin, vertices.corner(first_corner));
+    triangle.object = before[i].object;
+    triangle.material = before[i].material;
+    triangle.normals = before[i].normals;
+    after[i] = triangle;
+  });
+  return moved;
+}
+
+} // namespace masu

@@ -1,0 +1,283 @@
+// Executor (executor.h) on a CUDA device. CUDA sources only.
+#pragma once
+
+#include "libscene/base/progress_monitor.h"
+#include "libscene/cuda/device_memory.h"
+#include "libscene/passes/executor.h"
+
+#include <cub/device/device_radix_sort.cuh>
+#include <cub/device/device_scan.cuh>
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+
+namespace masu {
+
+// What a group's threads share.
+struct SharedByThreads {
+  __device__ void count(std::uint32_t& counter, std::uint32_t by = 1) const { atomicAdd(&counter, by); }
+  __device__ void join(Boxf& box, const Boxf& other) const {
+    lower(box.min.x, other.min.x);
+    lower(box.min.y, other.min.y);
+    lower(box.min.z, other.min.z);
+    raise(box.max.x, other.max.x);
+    raise(box.max.y, other.max.y);
+    raise(box.max.z, other.max.z);
+  }
+
+private:
+  // The bits of floats, but for -0, are in their order as whole numbers from 0 on, in the opposite one below.
+  __device__ static void lower(float& least, float value) {
+    if (value + 0 >= 0)
+      atomicMin(reinterpret_cast<int*>(&least), __float_as_int(value + 0));
+    else
+      atomicMax(reinterpret_cast<unsigned*>(&least), __float_as_uint(value));
+  }
+  __device__ static void raise(float& most, float value) {
+    if (value + 0 >= 0)
+      atomicMax(reinterpret_cast<int*>(&most), __float_as_int(value + 0));
+    else
+      atomicMin(reinterpret_cast<unsigned*>(&most), __float_as_uint(value));
+  }
+};
+
+// Some of a warp's threads, `width` (a power of two) side by side, as thread_group.h has them.
+template <unsigned width>
+struct WarpTile : SharedByThreads {
+  __device__ std::uint32_t thread_rank() const { return threadIdx.x % width; }
+  __device__ std::uint32_t size() const { return width; }
+  __device__ void sync() const { __syncwarp(all()); }
+  __device__ std::uint64_t sum(std::uint64_t value) const {
+    for (unsigned apart = width / 2; apart > 0; apart /= 2)
+      value += __shfl_xor_sync(all(), value, static_cast<int>(apart));
+    return value;
+  }
+  __device__ std::uint32_t all_bits(std::uint32_t bits) const {
+    for (unsigned apart = width / 2; apart > 0; apart /= 2)
+      bits |= __shfl_xor_sync(all(), bits, static_cast<int>(apart));
+    return bits;
+  }
+  template <class Candidate>
+  __device__ Candidate first_of_all(Candidate first) const {
+    for (unsigned apart = width / 2; apart > 0; apart /= 2) {
+      const Candidate other = of_lane(first, thread_rank() ^ apart);
+      if (comes_before(other, first)) first = other;
+    }
+    return first;
+  }
+
+private:
+  __device__ static unsigned all() {
+    return width == 32 ? 0xffffffffU : ((1U << width % 32) - 1) << (threadIdx.x % 32 / width * width);
+  }
+  template <class Record>
+  __device__ Record of_lane(const Record& own, std::uint32_t other) const {
+    static_assert(sizeof(Record) % sizeof(std::uint32_t) == 0);
+    struct Words {
+      std::uint32_t word[sizeof(Record) / sizeof(std::uint32_t)];
+    };
+    auto words = std::bit_cast<Words>(own);
+    for (std::uint32_t& word : words.word)
+      word = __shfl_sync(all(), word, static_cast<int>(other), width);
+    return std::bit_cast<Record>(words);
+  }
+};
+
+// A block's threads. Candidates are the first warp's.
+struct ThreadBlock : SharedByThreads {
+  __device__ std::uint32_t thread_rank() const { return threadIdx.x; }
+  __device__ std::uint32_t size() const { return blockDim.x; }
+  __device__ void sync() const { __syncthreads(); }
+  __device__ std::uint64_t sum(std::uint64_t value) const {
+    __shared__ unsigned long long total;
+    __syncthreads(); // the last call's has been read by all
+    if (threadIdx.x == 0) total = 0;
+    __syncthreads();
+    const std::uint64_t own = WarpTile<32>{}.sum(value);
+    if (threadIdx.x % 32 == 0) atomicAdd(&total, static_cast<unsigned long long>(own));
+    __syncthreads();
+    return total;
+  }
+  __device__ std::uint32_t all_bits(std::uint32_t bits) const {
+    __shared__ std::uint32_t together;
+    __syncthreads();
+    if (threadIdx.x == 0) together = 0;
+    __syncthreads();
+    atomicOr(&together, bits);
+    __syncthreads();
+    return together;
+  }
+  template <class Candidate>
+  __device__ Candidate first_of_all(const Candidate& own) const {
+    return threadIdx.x < 32 ? WarpTile<32>{}.first_of_all(own) : own;
+  }
+};
+
+namespace kernels {
+
+inline constexpr unsigned threads = 256;
+
+// Most boxes hold few things: eight threads share one. What is too much for them is put on a list, whose
+// length is large[0].
+inline constexpr unsigned tile_width = 8, max_for_tile = 256;
+template <class Work>
+__global__ void __launch_bounds__(threads)
+    each_by_tile(std::uint64_t count, const __grid_constant__ Work work, std::uint32_t* large) {
+  __shared__ typename Work::Scratch scratch[threads / tile_width];
+  const unsigned own = threadIdx.x / tile_width;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * (threads / tile_width) + own;
+  if (i >= count) return;
+  if (work.size(i) > max_for_tile) {
+    if (threadIdx.x % tile_width == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
+    return;
+  }
+  work(WarpTile<tile_width>{}, scratch[own], i);
+}
+
+inline constexpr unsigned blocks_for_large = 1024;
+template <class Work>
+__global__ void __launch_bounds__(threads)
+    each_by_block(const __grid_constant__ Work work, const std::uint32_t* large) {
+  __shared__ typename Work::Scratch scratch;
+  for (std::uint32_t i = blockIdx.x; i < large[0]; i += gridDim.x) {
+    work(ThreadBlock{}, scratch, large[1 + i]);
+    __syncthreads();
+  }
+}
+
+struct Sum {
+  template <class T>
+  MASU_HD T operator()(const T& a, const T& b) const {
+    return a + b;
+  }
+};
+
+} // namespace kernels
+
+class CudaExecutor {
+public:
+  static constexpr bool has_warps = true;
+  using Memory = CudaExecutor;
+  template <class T>
+  using Array = DeviceArray<T>;
+
+  // `pool`: of its arrays; it must outlive them. `progress`: of the build that the passes are of.
+  explicit CudaExecutor(cudaMemPool_t pool, const ProgressMonitor* progress = nullptr)
+      : queue_{nullptr, pool}, progress_(progress) {}
+  CudaExecutor(const CudaExecutor&) = delete;
+  CudaExecutor& operator=(const CudaExecutor&) = delete;
+
+  template <class T>
+  Array<T> array(std::uint64_t count) const {
+    return Array<T>(count, queue_);
+  }
+  template <class T>
+  Array<T> zeros(std::uint64_t count) const {
+    Array<T> values(count, queue_);
+    values.clear();
+    return values;
+  }
+  template <class Act>
+  void for_each(std::uint64_t count, const Act& act) const {
+    check_progress(progress_);
+    for_each_on_device(count, nullptr, act);
+  }
+  template <class Work>
+  void for_each_by_group(std::uint64_t count, const Work& work) const {
+    if (count == 0) return;
+    check_progress(progress_);
+    using namespace kernels;
+    const auto large = array<std::uint32_t>(count + 1);
+    check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
+    launch(each_by_tile<Work>, blocks_of(threads, count * tile_width), threads, nullptr, count, work,
+           large.data());
+    launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
+  }
+  template <class T>
+  void scan(Array<T>& values) const {
+    with_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceScan::ExclusiveScan(memory, bytes, values.data(), values.data(), kernels::Sum{}, T{},
+                                            values.size());
+    });
+  }
+  template <class T>
+  T value(const Array<T>& values, std::uint64_t i) const {
+    T one;
+    check(cudaMemcpy(&one, values.data() + i, sizeof(T), cudaMemcpyDeviceToHost));
+    return one;
+  }
+  // Items are gone through in pieces of so many rows, so that threads share a large one.
+  template <class Value, class Emit>
+  std::optional<Sorted<CudaExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
+                                                         std::uint64_t max_pairs, const Emit& emit) const {
+    constexpr std::uint64_t rows_per_piece = 32;
+    auto pieces = array<std::uint64_t>(count + 1);
+    std::uint64_t* const first_piece = pieces.data();
+    for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
+      const std::uint64_t rows = i != count ? emit.size(i) : 0;
+      first_piece[i] = (rows + rows_per_piece - 1) / rows_per_piece;
+    });
+    scan(pieces);
+    const std::uint64_t piece_count = value(pieces, count);
+
+    auto pairs = array<std::uint64_t>(piece_count + 1);
+    std::uint64_t* const first_pair = pairs.data();
+    for_each(piece_count + 1, [=] MASU_PASS(std::uint64_t piece) {
+      std::uint64_t own = 0;
+      if (piece != piece_count) {
+        const std::uint64_t i = owner_of(first_piece, count, piece);
+        const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
+        emit(i, row, row + rows_per_piece, [&](std::uint64_t, const Value&) { ++own; });
+      }
+      first_pair[piece] = own;
+    });
+    scan(pairs);
+    const std::uint64_t pair_count = value(pairs, piece_count);
+    if (pair_count > max_pairs) return std::nullopt;
+
+    Sorted<CudaExecutor, Value> sorted{array<std::uint64_t>(pair_count), array<Value>(pair_count)};
+    std::uint64_t* const keys = sorted.keys.data();
+    Value* const values = sorted.values.data();
+    for_each(piece_count, [=] MASU_PASS(std::uint64_t piece) {
+      const std::uint64_t i = owner_of(first_piece, count, piece);
+      const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
+      std::uint64_t offset = first_pair[piece];
+      emit(i, row, row + rows_per_piece, [&](std::uint64_t key, const Value& value) {
+        keys[offset] = key;
+        values[offset++] = value;
+      });
+    });
+    sort(sorted.keys, sorted.values, bits);
+    return sorted;
+  }
+
+private:
+  template <class Value>
+  void sort(Array<std::uint64_t>& keys, Array<Value>& values, int bits) const {
+    if (keys.size() == 0) return;
+    auto other_keys = array<std::uint64_t>(keys.size());
+    auto other_values = array<Value>(values.size());
+    cub::DoubleBuffer<std::uint64_t> key_buffers(keys.data(), other_keys.data());
+    cub::DoubleBuffer<Value> value_buffers(values.data(), other_values.data());
+    with_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceRadixSort::SortPairs(memory, bytes, key_buffers, value_buffers, keys.size(), 0, bits);
+    });
+    if (key_buffers.Current() != keys.data()) keys = std::move(other_keys);
+    if (value_buffers.Current() != values.data()) values = std::move(other_values);
+  }
+
+  // CUB's way: asked without memory, act says how many bytes it needs.
+  template <class Act>
+  void with_memory(const Act& act) const {
+    std::size_t bytes = 0;
+    check(act(nullptr, bytes));
+    const auto memory = array<std::uint8_t>(std::max(bytes, std::size_t{1}));
+    check(act(memory.data(), bytes));
+  }
+
+  Queue queue_; // the default stream
+  const ProgressMonitor* progress_;
+};
+
+} // namespace masu

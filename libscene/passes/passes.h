@@ -1,0 +1,55 @@
+// Passes that others are made of, on whatever executor (executor.h).
+#pragma once
+
+#include "libscene/base/atomic.h"
+#include "libscene/passes/executor.h"
+
+namespace masu {
+
+// sums[i] is what of(0) … of(i - 1) add up to; for i up to `count`.
+template <class Executor, class Of>
+ArrayOf<Executor, std::uint32_t> sums_before(Executor& executor, std::uint64_t count, const Of& of) {
+  auto sums = executor.template array<std::uint32_t>(count + 1);
+  std::uint32_t* const sum = sums.data();
+  executor.for_each(count + 1,
+                    [=] MASU_PASS(std::uint64_t i) { sum[i] = i != count ? std::uint32_t{of(i)} : 0U; });
+  executor.scan(sums);
+  return sums;
+}
+
+template <class Part>
+struct ElementOf {
+  const Part* elements;
+  MASU_HD Part operator()(std::uint64_t i) const { return elements[i]; }
+};
+
+// The join of of(0) … of(count - 1).
+template <class Part, class Executor, class Of>
+Part joined(Executor& executor, std::uint64_t count, const Of& of) {
+  constexpr std::uint64_t share = 64; // of a thread
+  if (count == 0) return {};
+  const std::uint64_t parts_count = (count + share - 1) / share;
+  auto parts = executor.template array<Part>(parts_count);
+  Part* const part = parts.data();
+  executor.for_each(parts_count, [=] MASU_PASS(std::uint64_t first) {
+    Part own{};
+    for (std::uint64_t i = first; i < count; i += parts_count)
+      own = join(own, of(i));
+    part[first] = own;
+  });
+  return parts_count == 1 ? executor.value(parts, 0)
+                          : joined<Part>(executor, parts_count, ElementOf<Part>{part});
+}
+
+// The set (atomic.h) of so many numbers, all below `end`.
+template <class Executor>
+ArrayOf<Executor, std::uint32_t> set_of(Executor& executor, const std::uint32_t* numbers, std::uint64_t count,
+                                        std::uint64_t end) {
+  auto set = executor.template zeros<std::uint32_t>(set_words(end));
+  std::uint32_t* const words = set.data();
+  executor.for_each(end > 0 ? count : 0,
+                    [=] MASU_PASS(std::uint64_t i) { static_cast<void>(inserted(words, numbers[i])); });
+  return set;
+}
+
+} // namespace masu
