@@ -18,14 +18,15 @@ BuildOptions build_options(const masu_build_options& from) {
   require_range(from.expansions, 0, 64, "expansions");
   require_range(from.device, MASU_CPU, 1 << 20, "device");
   BuildOptions options;
-  constexpr GridKind merges[] = {GridKind::automatic, GridKind::uniform, GridKind::x, GridKind::balance,
-                                 GridKind::irregular};
+  constexpr StructureKind merges[] = {StructureKind::automatic, StructureKind::uniform, StructureKind::x,
+                                      StructureKind::balance, StructureKind::irregular};
   const auto quality = choice<HierarchyQuality>(from.quality, 2, "quality");
   options.division = parse_division(from.division != nullptr ? from.division : "auto");
-  const GridKind kind = kind_of(choice<StructureChoice>(from.structure, 3, "structure"),
-                                merges[choice<int>(from.merge, 5, "merge")], options.division, quality);
-  options.grid = {kind, from.target, from.alpha, from.step_cost, from.detail, from.nested, from.expansions};
-  options.grid.quality = quality;
+  const StructureKind kind = kind_of(choice<StructureChoice>(from.structure, 3, "structure"),
+                                     merges[choice<int>(from.merge, 5, "merge")], options.division, quality);
+  options.structure = {kind,        from.target, from.alpha,     from.step_cost,
+                       from.detail, from.nested, from.expansions};
+  options.structure.quality = quality;
   options.space = from.cube_space != 0 ? SpaceRule::cube : SpaceRule::tight;
   options.overlap = from.box_overlap != 0 ? Overlap::box : Overlap::exact;
   options.processor = from.for_cpu != 0 ? Processor::cpu : Processor::gpu;
@@ -33,7 +34,7 @@ BuildOptions build_options(const masu_build_options& from) {
 }
 
 masu_build_options default_options() {
-  const GridOptions defaults;
+  const StructureOptions defaults;
   masu_build_options options{};
   options.size = sizeof options;
   options.structure = MASU_STRUCTURE_FASTEST;
@@ -48,63 +49,60 @@ masu_build_options default_options() {
   return options;
 }
 
-GridFile built_grid(const SceneFile& scene, const BuildOptions& options, int device,
-                    const std::function<void(double)>& progress) {
+StructureFile built_grid(const SceneFile& scene, const BuildOptions& options, int device,
+                         const std::function<void(double)>& progress) {
   return scene.with_view([&](const auto& view) {
     const auto builder =
         device == MASU_CPU ? cpu_builder(view, progress) : cuda_builder(view, device, progress);
     const auto [grid, provenance, considered] = build_chosen(*builder, scene.geometry(), options);
-    return grid_in_memory(grid, provenance);
+    return structure_in_memory(grid, provenance);
   });
 }
 
 template <class Stored>
-GridFile refitted(const GridFile& from, const SceneFile& scene, const SceneView<Stored>& view) {
-  const fb::Grid& table = from.table();
-  const GridProvenance provenance{scene.geometry_hash(),
-                                  scene.primitive_count(),
-                                  scene.origin(),
-                                  static_cast<SpaceRule>(table.space_rule()),
-                                  static_cast<Overlap>(table.overlap()),
-                                  table.division_rule()->str(),
-                                  table.merge_rule()->str()};
+StructureFile refitted(const StructureFile& from, const SceneFile& scene, const SceneView<Stored>& view) {
+  const fb::Structure& table = from.table();
+  const StructureProvenance provenance{scene.geometry_hash(),
+                                       scene.primitive_count(),
+                                       scene.origin(),
+                                       static_cast<SpaceRule>(table.space_rule()),
+                                       static_cast<Overlap>(table.overlap()),
+                                       table.division_rule()->str(),
+                                       {},
+                                       from.quality()};
   const auto layout = layout_in<Stored>(scene.bounds(), {1, 1, 1}, provenance.space_rule);
-  Grid grid;
-  grid.kind = GridKind::hierarchy;
+  Structure grid;
+  grid.kind = StructureKind::hierarchy;
   grid.nodes.assign(from.nodes().begin(), from.nodes().end());
   grid.references.assign(from.references().begin(), from.references().end());
-  if (!refit_hierarchy(view, layout, grid))
-    grid = hierarchy_grid(view, layout,
-                          provenance.merge_rule == merge_rule_of(HierarchyQuality::fast)
-                              ? HierarchyQuality::fast
-                              : HierarchyQuality::high);
-  return grid_in_memory(grid, provenance);
+  if (!refit_hierarchy(view, layout, grid)) grid = build_hierarchy(view, layout, provenance.quality);
+  return structure_in_memory(grid, provenance);
 }
 
-std::unique_ptr<masu_grid> held(GridFile file) {
-  return std::make_unique<masu_grid>(masu_grid{std::make_shared<const GridFile>(std::move(file))});
+std::unique_ptr<masu_grid> held(StructureFile file) {
+  return std::make_unique<masu_grid>(masu_grid{std::make_shared<const StructureFile>(std::move(file))});
 }
 
 } // namespace
 
 namespace masu {
 
-GridFile refitted_grid(const GridFile& from, const SceneFile& scene) {
+StructureFile refitted_grid(const StructureFile& from, const SceneFile& scene) {
   return scene.with_view([&](const auto& view) { return refitted(from, scene, view); });
 }
 
-void require_hierarchy(const GridFile* grid) {
+void require_hierarchy(const StructureFile* grid) {
   if (grid == nullptr || !grid->is_hierarchy())
     fail("grid", "isn't a hierarchy, which alone can be refitted: build one with MASU_STRUCTURE_BVH");
 }
 
-GridFile fastest_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress) {
+StructureFile fastest_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress) {
   masu_build_options options = default_options();
   options.for_cpu = device == MASU_CPU ? 1 : 0;
   return built_grid(scene, build_options(options), device, progress);
 }
 
-GridFile fast_hierarchy(const SceneFile& scene, const std::function<void(double)>& progress) {
+StructureFile fast_hierarchy(const SceneFile& scene, const std::function<void(double)>& progress) {
   masu_build_options options = default_options();
   options.structure = MASU_STRUCTURE_BVH;
   options.quality = MASU_QUALITY_FAST;
@@ -137,7 +135,7 @@ masu_status masu_grid_refit(const masu_grid* grid, const masu_scene* scene, masu
   return make(fitted, "refitted", [&] {
     require(grid, "grid");
     require(scene, "scene");
-    const GridFile& from = *grid->file;
+    const StructureFile& from = *grid->file;
     require_hierarchy(&from);
     if (from.table().primitives() != scene->file->primitive_count())
       fail("scene", fmt::format("has {} primitives, the grid was built from {}: build it anew",
@@ -150,7 +148,7 @@ masu_status masu_grid_read(const char* path, masu_grid** grid) {
   return make(grid, "grid", [&] {
     check_processor();
     require(path, "path");
-    return held(GridFile(path));
+    return held(StructureFile(path));
   });
 }
 
@@ -169,12 +167,11 @@ void masu_grid_free(masu_grid* grid) {
 masu_status masu_grid_describe(const masu_grid* grid, masu_grid_description* description) {
   return guarded([&] {
     require(grid, "grid");
-    const GridRecords records = grid->file->records();
+    const StructureRecords records = grid->file->records();
     masu_grid_description described{};
     described.structure = records.is_hierarchy ? MASU_STRUCTURE_BVH : MASU_STRUCTURE_GRID;
     // As schemas/structure.fbs numbers them.
-    constexpr masu_merge merges[] = {MASU_MERGE_NONE, MASU_MERGE_X, MASU_MERGE_BALANCE, MASU_MERGE_IRREGULAR,
-                                     MASU_MERGE_NONE};
+    constexpr masu_merge merges[] = {MASU_MERGE_NONE, MASU_MERGE_X, MASU_MERGE_BALANCE, MASU_MERGE_IRREGULAR};
     described.merge = merges[static_cast<int>(grid->file->table().merge())];
     for (int axis = 0; axis < 3; ++axis)
       described.division[axis] = static_cast<std::uint32_t>(records.layout.division[axis]);

@@ -17,15 +17,16 @@ namespace {
 // What a tracer traces, until an update.
 struct State {
   std::shared_ptr<const masu::SceneFile> scene;
-  std::shared_ptr<const masu::GridFile> grid; // none for brute force
+  std::shared_ptr<const masu::StructureFile> grid; // none for brute force
   masu::Tracer tracer;
   std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
   bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
   mutable std::mutex mutex;                // of what follows
-  mutable std::shared_ptr<const masu::GridFile> hierarchy; // for closest points, built by their first query
+  mutable std::shared_ptr<const masu::StructureFile>
+      hierarchy; // for closest points, built by their first query
 
   // gpus: none for the CPU.
-  State(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::GridFile> grid_,
+  State(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::StructureFile> grid_,
         const std::vector<int>& gpus)
       : scene(std::move(scene_)), grid(std::move(grid_)),
         tracer(*scene, grid.get(), gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus),
@@ -219,20 +220,20 @@ std::shared_ptr<const State> moved(const State& before, const Vertices& vertices
       return std::make_shared<const State>(before, *std::move(tracer));
   }
   auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));
-  auto grid = std::make_shared<const GridFile>(refitted_grid(*before.grid, *scene));
+  auto grid = std::make_shared<const StructureFile>(refitted_grid(*before.grid, *scene));
   return std::make_shared<const State>(std::move(scene), std::move(grid), before.tracer.gpus());
 }
 
 // None for brute force. Of threads that ask at once each builds one, and the first is kept: a thread that
 // waited for another might be what that one waits for.
-std::shared_ptr<const GridFile> hierarchy_of(const State& tracer,
-                                             const std::function<void(double)>& progress) {
+std::shared_ptr<const StructureFile> hierarchy_of(const State& tracer,
+                                                  const std::function<void(double)>& progress) {
   if (!tracer.grid || tracer.grid->is_hierarchy()) return tracer.grid;
   {
     const std::lock_guard lock(tracer.mutex);
     if (tracer.hierarchy) return tracer.hierarchy;
   }
-  auto built = std::make_shared<const GridFile>(fast_hierarchy(*tracer.scene, progress));
+  auto built = std::make_shared<const StructureFile>(fast_hierarchy(*tracer.scene, progress));
   const std::lock_guard lock(tracer.mutex);
   if (!tracer.hierarchy) tracer.hierarchy = std::move(built);
   return tracer.hierarchy;
@@ -270,11 +271,11 @@ masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
     for (const int gpu : gpus)
       require_gpu(gpu);
     GoOn go_on(wanted.go_on, wanted.user);
-    std::shared_ptr<const GridFile> file;
+    std::shared_ptr<const StructureFile> file;
     if (grid != nullptr)
       file = grid->file;
     else if (wanted.brute_force == 0)
-      file = std::make_shared<const GridFile>(
+      file = std::make_shared<const StructureFile>(
           fastest_grid(*scene->file, gpus.empty() ? MASU_CPU : gpus.front(), go_on.progress()));
     return std::make_unique<masu_tracer>(scene->vertices,
                                          std::make_shared<const State>(scene->file, std::move(file), gpus));

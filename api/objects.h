@@ -26,23 +26,23 @@ struct masu_scene {
   std::shared_ptr<const masu::SceneVertices> vertices;
 };
 struct masu_grid {
-  std::shared_ptr<const masu::GridFile> file; // in memory
+  std::shared_ptr<const masu::StructureFile> file; // in memory
 };
 
 namespace masu {
 
 // What MASU_STRUCTURE_FASTEST builds for a device and on it: the GPU of that number, or MASU_CPU.
-GridFile fastest_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress);
+StructureFile fastest_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress);
 // A hierarchy, built on the CPU with MASU_QUALITY_FAST.
-GridFile fast_hierarchy(const SceneFile& scene, const std::function<void(double)>& progress);
+StructureFile fast_hierarchy(const SceneFile& scene, const std::function<void(double)>& progress);
 
 // A scene in memory whose triangles have moved. Throws as moved_triangles() does (move_passes.h).
 SceneFile moved_scene(const SceneFile& scene, const Vertices& vertices);
 
 // A hierarchy fitted to a scene whose primitives have moved, or built anew (masu_grid_refit).
-GridFile refitted_grid(const GridFile& from, const SceneFile& scene);
+StructureFile refitted_grid(const StructureFile& from, const SceneFile& scene);
 
 // Throws Error(usage, "grid", …) for what can't be refitted.
-void require_hierarchy(const GridFile* grid);
+void require_hierarchy(const StructureFile* grid);
 
 } // namespace masu

@@ -30,8 +30,8 @@ MASU_HD inline Hit<float> listed(const HitRecord& hit) {
 
 // The grid is null for brute force. Files are checked, and the precision is resolved.
 // Pictures: into a frame of sized_frame(), of which every array is written whole.
-void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request, Frame& frame);
-QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,
+void render_cpu(const SceneFile& scene, const StructureFile* grid, const FrameRequest& request, Frame& frame);
+QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* grid, const RayList& rays,
                            const RayResults& results, const RaysRequest& request);
 
 // Sets a device up, so that it isn't timed with what comes next. Throws Error(device) where there is none.
@@ -39,7 +39,7 @@ void set_up_cuda(int device);
 
 // Copies the files. What the host hasn't checked, because it stays in the files, is checked on the device
 // before any index in it is followed. Throws Error(device), Error(input) for a damaged or changed file.
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* grid,
                                                      int device);
 // Tracer::moved() on a device: null where it returns none.
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const SceneFile& scene,
@@ -50,7 +50,7 @@ unsigned kinds_on(const DeviceFiles& files);
 // Copies rays to the device, and makes room there for t, primitive and occluded.
 ResidentRays upload_rays_cuda(const RayList& rays, int device);
 
-void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+void render_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                  const FrameRequest& request, Frame& frame);
 
 // Rays on a device at a time, for each of the stages: one piece is uploaded while another is traced and the
@@ -64,14 +64,14 @@ inline double share_of_pieces(std::size_t pieces, const RayList& rays, const Ray
                   1.0);
 }
 // Of rays in host memory: the pieces of a list that it takes from a counter, which devices share.
-QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,
                             std::atomic<std::size_t>& next_piece);
 // Of rays in device memory: puts the query on a stream; or times it.
-QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,
                             void* stream);
-QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                            const ResidentRays& rays, const RaysRequest& request);
 
 } // namespace masu

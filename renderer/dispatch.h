@@ -58,7 +58,7 @@ inline constexpr bool is_specialised =
 
 // `grid` may be null.
 template <class Real>
-AnyStructure<Real> any_structure(const GridFile* grid) {
+AnyStructure<Real> any_structure(const StructureFile* grid) {
   return grid != nullptr ? any_structure<Real>(grid->records()) : AnyStructure<Real>{};
 }
 
@@ -66,7 +66,8 @@ AnyStructure<Real> any_structure(const GridFile* grid) {
 // its structure (GridView, MergedGridView or HierarchyView) and kinds; what is for comparison, counting,
 // brute force and StopRule::first_cell, shares that for AnyStructure and all kinds.
 template <class TestRay, class Stored, class Act>
-void with_method(const SceneView<Stored>&, const GridFile* grid, const TracingRules& rules, const Act& act) {
+void with_method(const SceneView<Stored>&, const StructureFile* grid, const TracingRules& rules,
+                 const Act& act) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
   const auto with_any = [&] {
@@ -75,7 +76,7 @@ void with_method(const SceneView<Stored>&, const GridFile* grid, const TracingRu
     rules.count || grid == nullptr ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
   };
   if (grid == nullptr || rules.count || rules.stop == StopRule::first_cell) return with_any();
-  with_grid_view<Real>(grid->records(), [&]<class View>(const View& view) {
+  with_structure_view<Real>(grid->records(), [&]<class View>(const View& view) {
     if constexpr (is_specialised<TestRay, Stored, View>) {
       if (rules.general) return act(view, General{}, NoCounts{});
       with_kinds<TestRay>(rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) {

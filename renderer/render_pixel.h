@@ -199,8 +199,8 @@ MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& ru
 }
 
 // The light that comes back along a camera ray, and what it hit. M: a Method.
-template <class M, class Stored, class Grid, class Counts>
-MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, const RenderRules& rules,
+template <class M, class Stored, class Structure, class Counts>
+MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Structure& grid, const RenderRules& rules,
                               const Ray<typename M::Real>& first, HitRecord& first_hit, Counts& counts) {
   using Real = typename M::Real;
   RayTree<Real> tree(first);

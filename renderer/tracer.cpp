@@ -69,7 +69,7 @@ Frame sized_frame(const FrameRequest& request, Frame memory) {
   return frame;
 }
 
-Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device, std::vector<int> gpus)
+Tracer::Tracer(const SceneFile& scene, const StructureFile* grid, Device device, std::vector<int> gpus)
     : scene_(scene), grid_(grid), device_(device),
       gpus_(device == Device::cuda ? std::move(gpus) : std::vector<int>()),
       turn_(std::make_shared<std::atomic<std::size_t>>(0)) {

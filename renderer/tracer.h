@@ -215,7 +215,7 @@ public:
   //
   // gpus: numbers of GPUs, at least one, for Device::cuda. Each gets the files at the same time; one that is
   // named twice gets them twice. What comes out is independent of how many they are.
-  Tracer(const SceneFile& scene, const GridFile* grid, Device device, std::vector<int> gpus = {0});
+  Tracer(const SceneFile& scene, const StructureFile* grid, Device device, std::vector<int> gpus = {0});
 
   Device device() const { return device_; }
   // 1 on the CPU.
@@ -223,7 +223,7 @@ public:
   // Empty on the CPU.
   const std::vector<int>& gpus() const { return gpus_; }
   const SceneFile& scene() const { return scene_; }
-  const GridFile* grid() const { return grid_; }
+  const StructureFile* grid() const { return grid_; }
   // Of putting the files on the device, and of checking them.
   double upload_seconds() const { return upload_seconds_; }
 
@@ -269,7 +269,7 @@ public:
 
 private:
   const SceneFile& scene_;
-  const GridFile* grid_;
+  const StructureFile* grid_;
   Device device_;
   std::vector<int> gpus_;
   std::vector<std::shared_ptr<const DeviceFiles>> files_; // of each GPU

@@ -117,40 +117,43 @@ struct GridParts : TakenApart {
   double margin;
   fb::Division division;
   std::uint32_t block_log2, nested_log2;
+  fb::StructureType structure;
   fb::Merge merge;
+  fb::Quality quality;
   std::string rule, merge_rule;
   std::optional<fb::Vec3> origin{};
 
-  explicit GridParts(const std::string& path) : GridParts(GridFile(path)) {}
-  explicit GridParts(const GridFile& file)
+  explicit GridParts(const std::string& path) : GridParts(StructureFile(path)) {}
+  explicit GridParts(const StructureFile& file)
       : geometry_hash(*file.table().geometry_hash()), primitives(file.table().primitives()),
         space(*file.table().space()), margin(file.table().margin()), division(*file.table().division()),
         block_log2(file.table().block_log2()), nested_log2(file.table().nested_log2()),
-        merge(file.table().merge()), rule(file.table().division_rule()->str()),
-        merge_rule(file.table().merge_rule()->str()) {
+        structure(file.table().structure()), merge(file.table().merge()), quality(file.table().quality()),
+        rule(file.table().division_rule()->str()), merge_rule(file.table().merge_rule()->str()) {
     sections = sections_of(file.path(), *file.table().sections());
   }
 
-  SectionBytes& section(fb::GridSection kind) {
+  SectionBytes& section(fb::StructureSection kind) {
     return TakenApart::section(static_cast<std::uint32_t>(kind));
   }
-  void drop(fb::GridSection kind) { TakenApart::drop(static_cast<std::uint32_t>(kind)); }
+  void drop(fb::StructureSection kind) { TakenApart::drop(static_cast<std::uint32_t>(kind)); }
   // Sets word i of a section, appending it if necessary.
-  void set(fb::GridSection kind, std::size_t i, std::uint32_t value) {
+  void set(fb::StructureSection kind, std::size_t i, std::uint32_t value) {
     Bytes& bytes = section(kind).bytes;
     bytes.resize(std::max(bytes.size(), 4 * (i + 1)));
     std::memcpy(bytes.data() + 4 * i, &value, 4);
   }
 
   void write(const std::string& path) const {
-    TakenApart::write(path, grid_file_kind, [&](const std::vector<fb::Section>& layout) {
+    TakenApart::write(path, structure_file_kind, [&](const std::vector<fb::Section>& layout) {
       flatbuffers::FlatBufferBuilder builder;
       const auto list = builder.CreateVectorOfStructs(layout);
       const auto rule_text = builder.CreateString(rule);
       const auto merge_text = builder.CreateString(merge_rule);
-      builder.Finish(fb::CreateGrid(builder, &geometry_hash, primitives, &space, margin, &division,
-                                    block_log2, nested_log2, fb::Space::tight, fb::Overlap::exact, merge,
-                                    rule_text, merge_text, -1, list, origin ? &*origin : nullptr));
+      builder.Finish(fb::CreateStructure(builder, &geometry_hash, primitives, &space, margin, &division,
+                                         block_log2, nested_log2, fb::Space::tight, fb::Overlap::exact,
+                                         structure, merge, quality, rule_text, merge_text, -1, list,
+                                         origin ? &*origin : nullptr));
       return Bytes(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
     });
   }
@@ -183,13 +186,13 @@ Wrong<Parts> table(const char* name, const std::function<void(Bytes&)>& change) 
 }
 
 using WrongGrid = Wrong<GridParts>;
-inline WrongGrid word(const char* name, fb::GridSection kind, std::size_t i, std::uint32_t value) {
+inline WrongGrid word(const char* name, fb::StructureSection kind, std::size_t i, std::uint32_t value) {
   return {name, [=](GridParts& p) { p.set(kind, i, value); }};
 }
-inline WrongGrid without(const char* name, fb::GridSection kind) {
+inline WrongGrid without(const char* name, fb::StructureSection kind) {
   return {name, [kind](GridParts& p) { p.drop(kind); }};
 }
-inline WrongGrid resized(const char* name, fb::GridSection kind, std::size_t bytes) {
+inline WrongGrid resized(const char* name, fb::StructureSection kind, std::size_t bytes) {
   return {name, [=](GridParts& p) { p.section(kind).bytes.resize(bytes); }};
 }
 inline WrongGrid division(const char* name, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
@@ -201,12 +204,15 @@ inline WrongGrid blocks(const char* name, std::uint32_t log2) {
 inline WrongGrid merged_as(const char* name, int merge) {
   return set(name, &GridParts::merge, static_cast<fb::Merge>(merge));
 }
+inline WrongGrid structured_as(const char* name, int type) {
+  return set(name, &GridParts::structure, static_cast<fb::StructureType>(type));
+}
 
 // What a GPU's tracer does with files before it traces.
 inline void upload(const SceneFile& scene) {
   upload_files_cuda(scene, nullptr, 0);
 }
-inline void upload(const GridFile& grid) {
+inline void upload(const StructureFile& grid) {
   const TemporaryFolder folder;
   const std::string path = folder.file("good.scene");
   write_scene(tiny_scene(), Store::float32, path);
@@ -235,11 +241,12 @@ void expect_refused(const std::string& path, const Wrong<Parts>& wrong) {
   EXPECT_TRUE(is_refused_as<File>(path));
 }
 
-inline void expect_grid_refused(const Grid& grid, const std::string& merge_rule, const WrongGrid& wrong) {
+inline void expect_grid_refused(const Structure& grid, const std::string& merge_rule,
+                                const WrongGrid& wrong) {
   const TemporaryFolder folder;
   const std::string path = folder.file("hostile.grid");
-  write_grid(grid, tiny_grid_provenance({1, 2}, merge_rule), path);
-  expect_refused<GridFile>(path, wrong);
+  write_structure(grid, tiny_grid_provenance({1, 2}, merge_rule), path);
+  expect_refused<StructureFile>(path, wrong);
 }
 
 } // namespace masu

@@ -29,8 +29,8 @@ GridLayout random_layout(Chance& chance, const Boxd& bounds) {
 }
 
 // The same uniform grid with a map of two levels, which the builder uses only for large divisions.
-inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
-  Grid blocks_grid{grid.layout, GridKind::uniform, block_log2, 0, {}, {}, grid.references};
+inline Structure in_blocks(const Structure& grid, std::int32_t block_log2) {
+  Structure blocks_grid{grid.layout, StructureKind::uniform, block_log2, 0, {}, {}, grid.references};
   const Vec3i blocks = blocks_of(grid.layout.division, block_log2);
   const std::size_t words = std::size_t{1} << (3 * block_log2);
   blocks_grid.voxel_map.assign(voxel_count(blocks), 0);
@@ -49,13 +49,13 @@ inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
 }
 
 template <class Stored>
-Grid random_uniform_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
-  const Grid grid = build_grid(scene, random_layout<Stored>(chance, bounds), any_overlap(chance));
+Structure random_uniform_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
+  const Structure grid = build_structure(scene, random_layout<Stored>(chance, bounds), any_overlap(chance));
   return grid.block_log2 == 0 && chance.one_in(2) ? in_blocks(grid, chance.whole(1, 5)) : grid;
 }
 
-inline GridOptions random_grid_options(Chance& chance) {
-  return {chance.one_of({GridKind::x, GridKind::balance, GridKind::irregular}),
+inline StructureOptions random_grid_options(Chance& chance) {
+  return {chance.one_of({StructureKind::x, StructureKind::balance, StructureKind::irregular}),
           chance.one_of({1U, 2U, 8U, 64U}),
           chance.one_of({1.0, 0.8}),
           chance.one_of({0.0, 0.5, 3.0, 20.0}),
@@ -67,27 +67,28 @@ inline GridOptions random_grid_options(Chance& chance) {
 struct RandomCase {
   GridLayout layout;
   Overlap overlap;
-  GridOptions options;
+  StructureOptions options;
 };
 // Input for an irregular grid with few top-level voxels.
 template <class Stored>
 RandomCase random_irregular_case(Chance& chance, const Boxd& bounds) {
   RandomCase by{random_layout<Stored>(chance, bounds), any_overlap(chance), random_grid_options(chance)};
   by.layout.division = random_division(chance, 9);
-  by.options.kind = GridKind::irregular;
+  by.options.kind = StructureKind::irregular;
   return by;
 }
 
 template <class Stored>
-Grid random_merged_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
-  const GridOptions options = random_grid_options(chance);
+Structure random_merged_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
+  const StructureOptions options = random_grid_options(chance);
   GridLayout layout = random_layout<Stored>(chance, bounds);
-  if (options.kind == GridKind::irregular && chance.one_in(2)) layout.division = random_division(chance, 6);
-  return build_grid(scene, layout, any_overlap(chance), options);
+  if (options.kind == StructureKind::irregular && chance.one_in(2))
+    layout.division = random_division(chance, 6);
+  return build_structure(scene, layout, any_overlap(chance), options);
 }
 
 template <class Stored>
-Grid random_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
+Structure random_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
   return chance.one_in(3) ? random_uniform_grid(chance, scene, bounds)
                           : random_merged_grid(chance, scene, bounds);
 }
@@ -97,23 +98,23 @@ GridLayout hierarchy_layout(TestScene<Stored>& scene) {
   return layout_in<Stored>(scene.bounds(), {1, 1, 1});
 }
 template <class Stored>
-Grid hierarchy_of(TestScene<Stored>& scene, HierarchyQuality quality = HierarchyQuality::high) {
-  return hierarchy_grid(scene.view(), hierarchy_layout(scene), quality);
+Structure hierarchy_of(TestScene<Stored>& scene, HierarchyQuality quality = HierarchyQuality::high) {
+  return build_hierarchy(scene.view(), hierarchy_layout(scene), quality);
 }
 inline HierarchyQuality any_quality(Chance& chance) {
   return chance.one_of({HierarchyQuality::high, HierarchyQuality::fast});
 }
 
 template <class Stored>
-Grid random_structure(Chance& chance, TestScene<Stored>& scene) {
+Structure random_structure(Chance& chance, TestScene<Stored>& scene) {
   return chance.one_in(2) ? random_grid(chance, scene.view(), scene.bounds())
                           : hierarchy_of(scene, any_quality(chance));
 }
 
 // Calls act(the grid's view); not of a hierarchy.
 template <class Real, class Act>
-void with_view(const Grid& grid, const Act& act) {
-  grid.kind == GridKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
+void with_view(const Structure& grid, const Act& act) {
+  grid.kind == StructureKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
 }
 
 // References of the voxel's cell; 0 when it is empty.
@@ -123,11 +124,11 @@ std::uint32_t references_in(const View& grid, const Vec3i& voxel) {
 }
 
 // The layout of the grid's smallest voxels.
-inline GridLayout finest_layout(const Grid& grid) {
+inline GridLayout finest_layout(const Structure& grid) {
   return finer(grid.layout, grid.nested_log2);
 }
 
-inline std::string described(const Grid& grid) {
+inline std::string described(const Structure& grid) {
   const Boxd& s = grid.layout.space;
   const Vec3i n = grid.layout.division;
   return "space " + described(s.min) + described(s.max) + " division " + std::to_string(n.x) + 'x' +

@@ -13,7 +13,7 @@ namespace masu {
 template <class Real>
 class RayMaker {
 public:
-  RayMaker(Chance& chance, const TestScene<Real>& scene, const Boxd& bounds, const Grid& grid)
+  RayMaker(Chance& chance, const TestScene<Real>& scene, const Boxd& bounds, const Structure& grid)
       : chance_(chance), scene_(scene), bounds_(bounds), grid_(grid), finest_(finest_layout(grid)) {}
 
   Ray<Real> ray() {
@@ -114,7 +114,7 @@ private:
   Chance& chance_;
   const TestScene<Real>& scene_;
   Boxd bounds_;
-  const Grid& grid_;
+  const Structure& grid_;
   GridLayout finest_;
 };
 

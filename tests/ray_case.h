@@ -320,7 +320,7 @@ public:
   const SceneView<Real>& view() const { return view_; }
   bool hit(const Ray<Real>& ray, Hit<Real>& found) const {
     NoCounts counts;
-    found = nearest_hit<Robust<Real>>(view_, NoGrid{}, ray, counts);
+    found = nearest_hit<Robust<Real>>(view_, NoStructure{}, ray, counts);
     return found.primitive != no_primitive;
   }
 

@@ -14,16 +14,16 @@ namespace masu {
 class Rendering {
 public:
   Rendering(const Scene& scene, Store store, const std::string& division = "auto",
-            const GridOptions& options = {}, const std::optional<Vec3d>& origin = {})
+            const StructureOptions& options = {}, const std::optional<Vec3d>& origin = {})
       : camera_(scene.camera) {
     write_scene(scene, store, folder_.file("scene"), origin);
     scene_ = std::make_unique<SceneFile>(folder_.file("scene"));
     write_grid_of(*scene_, division, options, folder_.file("grid"));
-    grid_ = std::make_unique<GridFile>(folder_.file("grid"));
+    grid_ = std::make_unique<StructureFile>(folder_.file("grid"));
   }
 
   const SceneFile& scene() const { return *scene_; }
-  const GridFile& grid() const { return *grid_; }
+  const StructureFile& grid() const { return *grid_; }
 
   // Counting hits and rays; corners; five deep.
   FrameRequest request() const {
@@ -42,7 +42,7 @@ private:
   TemporaryFolder folder_;
   Camera camera_;
   std::unique_ptr<SceneFile> scene_;
-  std::unique_ptr<GridFile> grid_;
+  std::unique_ptr<StructureFile> grid_;
 };
 
 // A frame's memory that was used for something else.

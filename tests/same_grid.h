@@ -8,7 +8,7 @@
 
 namespace masu {
 
-inline void expect_same(const Grid& a, const Grid& b) {
+inline void expect_same(const Structure& a, const Structure& b) {
   EXPECT_EQ(a.block_log2, b.block_log2);
   EXPECT_EQ(a.nested_log2, b.nested_log2);
   EXPECT_TRUE(a.layout.division == b.layout.division);

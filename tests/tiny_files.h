@@ -17,7 +17,7 @@ struct TinyFile {
     if (kind.magic == scene_file_kind.magic)
       const SceneFile file(path);
     else
-      const GridFile file(path);
+      const StructureFile file(path);
   }
 };
 inline void PrintTo(const TinyFile& file, std::ostream* out) {
@@ -29,9 +29,9 @@ inline std::vector<TinyFile> tiny_files() {
     return {name, scene_file_kind,
             [=](const std::string& path, const Hash&) { write_scene(tiny_scene(), store, path); }};
   };
-  const auto grid = [](const char* name, Grid (*made)(), const char* merge_rule) -> TinyFile {
-    return {name, grid_file_kind, [=](const std::string& path, const Hash& geometry_hash) {
-              write_grid(made(), tiny_grid_provenance(geometry_hash, merge_rule), path);
+  const auto grid = [](const char* name, Structure (*made)(), const char* merge_rule) -> TinyFile {
+    return {name, structure_file_kind, [=](const std::string& path, const Hash& geometry_hash) {
+              write_structure(made(), tiny_grid_provenance(geometry_hash, merge_rule), path);
             }};
   };
   return {scene("scene_float32", Store::float32),
@@ -39,7 +39,7 @@ inline std::vector<TinyFile> tiny_files() {
           grid("grid", tiny_grid, ""),
           grid("grid_of_blocks", tiny_grid_of_blocks, ""),
           grid("merged_grid", tiny_merged_grid, "irregular"),
-          grid("hierarchy", tiny_hierarchy, "bvh")};
+          grid("hierarchy", tiny_hierarchy, "")};
 }
 
 } // namespace masu

@@ -32,9 +32,9 @@ inline Scene tiny_scene() {
 inline constexpr std::uint64_t tiny_scene_primitives = 4;
 
 // 2×2×1 voxels, three occupied.
-inline Grid tiny_grid() {
+inline Structure tiny_grid() {
   return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 2, 1}, 0.0625},
-          GridKind::uniform,
+          StructureKind::uniform,
           0,
           0,
           {occupied_bit | 0, occupied_bit | 1, 0, occupied_bit | 3},
@@ -43,11 +43,11 @@ inline Grid tiny_grid() {
 }
 
 // A map of two levels: 5×1×1 voxels in three blocks, the middle one empty.
-inline Grid tiny_grid_of_blocks() {
+inline Structure tiny_grid_of_blocks() {
   constexpr std::uint32_t block0 = occupied_bit | 0, block1 = occupied_bit | 1;
   constexpr std::uint32_t list0 = occupied_bit | 0, list1 = occupied_bit | 1, list2 = occupied_bit | 3;
   return {{{{-2, -2, -1}, {2, 2, 1}}, {5, 1, 1}, 0.0625},
-          GridKind::uniform,
+          StructureKind::uniform,
           1,
           0,
           {block0, 0, block1, list0, list1, 0, 0, 0, 0, 0, 0, list2, 0, 0, 0, 0, 0, 0, 0},
@@ -63,13 +63,13 @@ inline std::uint32_t divided(std::uint32_t index, std::int32_t log2) {
 
 // A merged grid of 2×1×1 voxels: the first is divided into five cells, its first eighth once more than the
 // others. The third cell is expanded over the second voxel, which is empty.
-inline Grid tiny_merged_grid() {
+inline Structure tiny_merged_grid() {
   constexpr std::uint32_t cell0 = occupied_bit | 0, cell1 = occupied_bit | 1, cell2 = occupied_bit | 2,
                           cell3 = occupied_bit | 3, cell4 = occupied_bit | 4, cell5 = occupied_bit | 5;
   const std::uint32_t nested0 = divided(8, 1), nested1 = divided(16, 1);
   const auto range = [](std::uint32_t first, std::uint32_t end) { return first | end << 16; };
   return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 1, 1}, 0.0625},
-          GridKind::irregular,
+          StructureKind::irregular,
           0,
           2,
           {nested0, cell5, 0,     0,     0,     0,     0,     0,     //
@@ -86,7 +86,7 @@ inline Grid tiny_merged_grid() {
 
 // A hierarchy of two nodes: the root holds the triangles, in its slot 1, and a node of the sphere and the
 // cone, in its slot 6. Planes are in sixteenths.
-inline Grid tiny_hierarchy() {
+inline Structure tiny_hierarchy() {
   constexpr std::uint32_t sixteenths = 123 | 123 << 8 | 123 << 16;
   const auto in_slots = [](std::uint32_t(&words)[2], int slot, std::uint32_t byte) {
     words[slot / 4] |= byte << (slot % 4 * 8);
@@ -106,7 +106,7 @@ inline Grid tiny_hierarchy() {
   add(inner, 0, 1 << 5 | 0, {39, 39, 23}, {49, 49, 33});
   add(inner, 5, 1 << 5 | 1, {35, 11, 11}, {53, 37, 29});
   return {{{{-2, -2, -1}, {2, 2, 1}}, {1, 1, 1}, 0.0625},
-          GridKind::hierarchy,
+          StructureKind::hierarchy,
           0,
           0,
           {},
@@ -115,7 +115,8 @@ inline Grid tiny_hierarchy() {
           {root, inner}};
 }
 
-inline GridProvenance tiny_grid_provenance(const Hash& geometry_hash, const std::string& merge_rule = "") {
+inline StructureProvenance tiny_grid_provenance(const Hash& geometry_hash,
+                                                const std::string& merge_rule = "") {
   return {geometry_hash, tiny_scene_primitives, {0, 0, 0}, SpaceRule::tight, Overlap::exact, "2x2x1",
           merge_rule};
 }

@@ -25,7 +25,7 @@ inline std::vector<Ray<double>> a_few_rays(const Vec3d& from, const Vec3d& at, b
 
 // Renders a few pixels, without and with counters and the SPD's rules, and traces lists of rays. grid: null
 // for brute force.
-inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
+inline void trace_a_little(const SceneFile& scene, const StructureFile* grid) {
   const auto vector = [](const fb::Vec3& v) { return Vec3d{v.x(), v.y(), v.z()}; };
   const fb::Camera& c = *scene.table().camera();
   FrameRequest request;
@@ -46,8 +46,9 @@ inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
 }
 
 // Builds a coarse grid and writes it to `path`. Throws Error when the space can't be divided.
-inline void build_a_little(const SceneFile& scene, Overlap overlap, GridKind kind, const std::string& path) {
-  GridOptions options{kind};
+inline void build_a_little(const SceneFile& scene, Overlap overlap, StructureKind kind,
+                           const std::string& path) {
+  StructureOptions options{kind};
   options.target = 1;
   write_grid_of(scene, "5x4x3", options, path, overlap);
 }

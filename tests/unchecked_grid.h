@@ -15,12 +15,12 @@ inline testing::AssertionResult is_refused_by_tracer(Device device) {
   const std::string scene_path = folder.file("good.scene"), grid_path = folder.file("hostile.grid");
   write_scene(tiny_scene(), Store::float32, scene_path);
   const SceneFile scene(scene_path, residence);
-  write_grid(tiny_merged_grid(), tiny_grid_provenance(scene.geometry_hash()), grid_path);
+  write_structure(tiny_merged_grid(), tiny_grid_provenance(scene.geometry_hash()), grid_path);
   GridParts parts(grid_path);
-  parts.set(fb::GridSection::references, 0, static_cast<std::uint32_t>(scene.primitive_count()));
+  parts.set(fb::StructureSection::references, 0, static_cast<std::uint32_t>(scene.primitive_count()));
   parts.write(grid_path);
   const auto open_and_render = [&](const std::string& path) {
-    const GridFile grid(path, residence);
+    const StructureFile grid(path, residence);
     FrameRequest request;
     request.camera = scene.camera();
     static_cast<void>(Tracer(scene, &grid, device).render(request));
@@ -37,7 +37,7 @@ inline void open_and_trace(const GridParts& parts, const SceneFile& scene, const
                            OpenedAndRefused& count) {
   parts.write(path);
   try {
-    const GridFile grid(path);
+    const StructureFile grid(path);
     ++count.opened;
     trace_a_little(scene, &grid);
   } catch (const Error& error) {
@@ -48,12 +48,12 @@ inline void open_and_trace(const GridParts& parts, const SceneFile& scene, const
 }
 
 // With any bit of its sections flipped.
-inline OpenedAndRefused with_any_flipped_bit(const Grid& grid, const std::string& merge_rule) {
+inline OpenedAndRefused with_any_flipped_bit(const Structure& grid, const std::string& merge_rule) {
   const TemporaryFolder folder;
   const std::string scene_path = folder.file("scene"), path = folder.file("grid");
   write_scene(tiny_scene(), Store::float32, scene_path);
   const SceneFile scene(scene_path);
-  write_grid(grid, tiny_grid_provenance(scene.geometry_hash(), merge_rule), path);
+  write_structure(grid, tiny_grid_provenance(scene.geometry_hash(), merge_rule), path);
   const GridParts parts(path);
   OpenedAndRefused count;
   for (std::size_t section = 0; section < parts.sections.size(); ++section) {

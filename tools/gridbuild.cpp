@@ -43,9 +43,9 @@ void print_report(const Settings& settings, fmt::format_string<Values...> format
 nlohmann::ordered_json considered_json(const std::vector<Considered>& considered) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Considered& one : considered) {
-    nlohmann::ordered_json json{{"structure", one.kind == GridKind::hierarchy   ? "bvh"
-                                              : one.kind == GridKind::irregular ? "irregular"
-                                                                                : "uniform"},
+    nlohmann::ordered_json json{{"structure", one.kind == StructureKind::hierarchy   ? "bvh"
+                                              : one.kind == StructureKind::irregular ? "irregular"
+                                                                                     : "uniform"},
                                 {"division", {one.division.x, one.division.y, one.division.z}},
                                 {"expected_time", one.expected_time}};
     const auto add = [&](const char* set, const RayCost& ray) { json[set] = {ray.steps, ray.tests}; };
@@ -68,11 +68,13 @@ void build(const Settings& settings, const SceneFile& file) {
   progress.reset();
   const double seconds = watch.seconds();
   if (settings.record_seconds) made.build_seconds = seconds;
-  write_grid(grid, made, settings.output);
+  write_structure(grid, made, settings.output);
   const double total_seconds = watch.seconds();
   if (settings.quiet && !settings.json) return;
-  const bool is_hierarchy = grid.kind == GridKind::hierarchy, is_irregular = grid.kind == GridKind::irregular;
-  const bool on_gpu = with_gpu && (!is_hierarchy || settings.options.grid.quality == HierarchyQuality::fast);
+  const bool is_hierarchy = grid.kind == StructureKind::hierarchy,
+             is_irregular = grid.kind == StructureKind::irregular;
+  const bool on_gpu =
+      with_gpu && (!is_hierarchy || settings.options.structure.quality == HierarchyQuality::fast);
   const DeviceSeconds on_device = builder->device_seconds();
   nlohmann::ordered_json json;
   std::string text; // what was built, for people
@@ -82,7 +84,7 @@ void build(const Settings& settings, const SceneFile& file) {
     text = fmt::format("{} nodes, {} references", grouped(counted.nodes), grouped(counted.references));
   } else {
     const Vec3i n = grid.layout.division;
-    const bool is_uniform = grid.kind == GridKind::uniform;
+    const bool is_uniform = grid.kind == StructureKind::uniform;
     const GridStatistics counted = is_uniform ? grid_statistics(view_of<double>(grid), grid.references)
                                               : grid_statistics(merged_view_of<double>(grid), grid.cells);
     json = {{"division", {n.x, n.y, n.z}},
@@ -109,7 +111,7 @@ void build(const Settings& settings, const SceneFile& file) {
   }
   print_report(settings, "{}\nbuilt in {:.3f} s, written in {:.3f} s\n", text, seconds,
                total_seconds - seconds);
-  if (is_irregular && grid.detail < settings.options.grid.detail)
+  if (is_irregular && grid.detail < settings.options.structure.detail)
     print_report(settings, "built with --detail {}: with more it would be too large\n", grid.detail);
   if (on_gpu)
     print_report(settings,
@@ -151,7 +153,7 @@ void add_options(const CommandLine& command, Settings& settings) {
                      "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), "
                      "fastest (whichever of both a sample of rays is expected to take the least time "
                      "through; a grid if --merge or --division is given)");
-  command.add_choice("--quality", settings.options.grid.quality,
+  command.add_choice("--quality", settings.options.structure.quality,
                      {{"high", HierarchyQuality::high}, {"fast", HierarchyQuality::fast}},
                      "of a hierarchy: high (primitives are divided where boxes would overlap) or fast (in a "
                      "third of the time, also on a GPU)");
@@ -159,26 +161,26 @@ void add_options(const CommandLine& command, Settings& settings) {
                      "the processor that will trace: what the automatic choices (--structure fastest, "
                      "--merge auto, --division auto) count a step and a test by");
   command.add_choice(
-      "--merge", settings.options.grid.kind,
-      {{"auto", GridKind::automatic},
-       {"none", GridKind::uniform},
-       {"x", GridKind::x},
-       {"balance", GridKind::balance},
-       {"irregular", GridKind::irregular}},
+      "--merge", settings.options.structure.kind,
+      {{"auto", StructureKind::automatic},
+       {"none", StructureKind::uniform},
+       {"x", StructureKind::x},
+       {"balance", StructureKind::balance},
+       {"irregular", StructureKind::irregular}},
       "which voxels share a cell: auto (none where a division is given; else none or irregular, whichever a "
       "sample of rays is expected to take less time through), none, x (empty ones in a run along x), balance "
       "(as many as list --target primitives), irregular (voxels are divided further, by expected cost)");
-  command.add_number("--target", settings.options.grid.target, 1U, 1U << 20,
+  command.add_number("--target", settings.options.structure.target, 1U, 1U << 20,
                      "balance: the most references of a cell");
-  command.add_number("--nested", settings.options.grid.nested_log2, 0, 15,
+  command.add_number("--nested", settings.options.structure.nested_log2, 0, 15,
                      "irregular: each voxel is divided into at most 2^N per axis");
-  command.add_number("--step-cost", settings.options.grid.step_cost, 0.0, 1000.0,
+  command.add_number("--step-cost", settings.options.structure.step_cost, 0.0, 1000.0,
                      "irregular: what a step to a cell costs, in intersection tests");
-  command.add_number("--detail", settings.options.grid.detail, 0.1, 100.0,
+  command.add_number("--detail", settings.options.structure.detail, 0.1, 100.0,
                      "irregular: planes no closer than a primitive's typical extent divided by this");
-  command.add_number("--alpha", settings.options.grid.alpha, 0.0, 1.0,
+  command.add_number("--alpha", settings.options.structure.alpha, 0.0, 1.0,
                      "irregular: divide while that makes the expected cost less than alpha times what it is");
-  command.add_number("--expand", settings.options.grid.expansions, 0, 64,
+  command.add_number("--expand", settings.options.structure.expansions, 0, 64,
                      "irregular: rounds of expanding cells over neighbours that list nothing else");
   command.group("General");
   command.add_choice(
@@ -190,16 +192,17 @@ void add_options(const CommandLine& command, Settings& settings) {
 
 // That none of the grids that may be built has.
 void refuse_useless(const CommandLine& command, const BuildOptions& options) {
-  const GridKind kind = options.grid.kind;
-  const bool is_hierarchy = kind == GridKind::hierarchy,
+  const StructureKind kind = options.structure.kind;
+  const bool is_hierarchy = kind == StructureKind::hierarchy,
              has_division = options.division.kind != DivisionRule::Kind::automatic,
-             is_chosen = (kind == GridKind::automatic || kind == GridKind::fastest) && !has_division,
-             is_irregular = kind == GridKind::irregular || is_chosen;
+             is_chosen =
+                 (kind == StructureKind::automatic || kind == StructureKind::fastest) && !has_division,
+             is_irregular = kind == StructureKind::irregular || is_chosen;
   const char *const of_grids = "is of grids of voxels: a hierarchy has none",
                     *const of_irregular = "is of irregular grids: give --merge irregular";
   command.refuse({{"--division", is_hierarchy && has_division, of_grids},
                   {"--overlap", is_hierarchy, of_grids},
-                  {"--target", kind != GridKind::balance, "is of balanced grids: give --merge balance"},
+                  {"--target", kind != StructureKind::balance, "is of balanced grids: give --merge balance"},
                   {"--nested", !is_irregular, of_irregular},
                   {"--step-cost", !is_irregular, of_irregular},
                   {"--detail", !is_irregular, of_irregular},
@@ -212,8 +215,8 @@ void run(Settings& settings, const CommandLine& command) {
   try {
     BuildOptions& options = settings.options; // are checked before anything is read
     options.division = parse_division(settings.division);
-    options.grid.kind =
-        kind_of(settings.structure, options.grid.kind, options.division, options.grid.quality);
+    options.structure.kind =
+        kind_of(settings.structure, options.structure.kind, options.division, options.structure.quality);
     refuse_useless(command, options);
     check_scene_input(settings.scene);
     check_files({settings.scene}, {settings.output});

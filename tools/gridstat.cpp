@@ -9,9 +9,9 @@
 #include "tools/common/provenance.h"
 #include "tools/draw/slice_picture.h"
 #include "tools/report/cell_export.h"
-#include "tools/report/grid_report.h"
 #include "tools/report/slice_json.h"
 #include "tools/report/slice_place.h"
+#include "tools/report/structure_report.h"
 
 #include <nlohmann/json.hpp>
 
@@ -36,7 +36,7 @@ struct Settings {
   bool json = false, csv = false, histogram = false;
 };
 
-void draw_slice(const GridFile& file, const Settings& settings) {
+void draw_slice(const StructureFile& file, const Settings& settings) {
   if (settings.picture.empty())
     throw Error(ErrorCode::usage, "--slice", "needs -o FILE, a PNG, SVG or JSON to write");
   const GridLayout finest = finest_layout(file);
@@ -52,7 +52,7 @@ void draw_slice(const GridFile& file, const Settings& settings) {
   write_slice(file, plane, window, outline, settings.style, settings.picture);
 }
 
-void write_cells(const GridFile& file, const Settings& settings) {
+void write_cells(const StructureFile& file, const Settings& settings) {
   CellExport options = settings.cell_export;
   if (options.expanded && file.is_hierarchy())
     throw Error(ErrorCode::usage, "--expanded", "needs a grid of cells: a hierarchy has none");
@@ -68,14 +68,14 @@ void write_cells(const GridFile& file, const Settings& settings) {
 }
 
 void inspect(const Settings& settings) {
-  const GridFile file(settings.grid);
+  const StructureFile file(settings.grid);
   if (!settings.slice.empty()) return draw_slice(file, settings);
   if (!settings.cells.empty()) return write_cells(file, settings);
-  print_grid_report(file,
-                    settings.json  ? ReportFormat::json
-                    : settings.csv ? ReportFormat::csv
-                                   : ReportFormat::table,
-                    settings.histogram);
+  print_structure_report(file,
+                         settings.json  ? ReportFormat::json
+                         : settings.csv ? ReportFormat::csv
+                                        : ReportFormat::table,
+                         settings.histogram);
 }
 
 // Counted as in the 2012 thesis: within the objects' bounds, without a margin.

@@ -15,7 +15,7 @@ namespace checks {
 // cell alone. So a ray, which meets a cell once, tests no more primitives than there are references; if many
 // cells shared a long list, a small file could take for ever to trace.
 template <class Checker, class List>
-bool lists_are_separate(const Checker& checker, const GridRecords& grid, std::uint64_t cells,
+bool lists_are_separate(const Checker& checker, const StructureRecords& grid, std::uint64_t cells,
                         const List& list) {
   auto listed = checker.zeros(set_words(grid.reference_count));
   std::uint32_t* const begun = listed.data();
@@ -28,7 +28,7 @@ bool lists_are_separate(const Checker& checker, const GridRecords& grid, std::ui
 }
 
 template <class Checker>
-const char* fault_of_uniform(const Checker& checker, const GridRecords& grid) {
+const char* fault_of_uniform(const Checker& checker, const StructureRecords& grid) {
   const std::uint64_t blocks = voxel_count(blocks_of(grid.layout.division, grid.block_log2)),
                       block_maps = (grid.words - blocks) >> (3 * grid.block_log2),
                       first = grid.block_log2 > 0 ? blocks : 0;
@@ -60,7 +60,7 @@ public:
     Vec3i first, log2;
   };
 
-  MASU_HD explicit MapCheck(const GridRecords& grid) : grid_(grid) {}
+  MASU_HD explicit MapCheck(const StructureRecords& grid) : grid_(grid) {}
 
   // Whether all that the word says of the part is so, as far as it is this share's: of the division that the
   // word leads to, every `shares`-th part. Looks at no more words than there are.
@@ -121,14 +121,14 @@ private:
     return true;
   }
 
-  const GridRecords& grid_;
+  const StructureRecords& grid_;
   std::uint64_t words_ = 0;
   int depth_ = 0;
   Division stack_[max_depth];
 };
 
 template <class Checker>
-const char* fault_of_merged(const Checker& checker, const GridRecords& grid) {
+const char* fault_of_merged(const Checker& checker, const StructureRecords& grid) {
   const Vec3i finest{grid.layout.division.x << grid.nested_log2, grid.layout.division.y << grid.nested_log2,
                      grid.layout.division.z << grid.nested_log2};
   if (!(grid.cell_count <= max_numbered && checker.all(grid.cell_count, [=] MASU_PASS(std::uint64_t i) {
@@ -192,7 +192,7 @@ MASU_HD inline bool is_good_node(const HierarchyNode& node, std::uint64_t refere
 // Whether each node but the first has one parent, which comes before it, and none lies deeper than a walk's
 // stack allows: so every walk ends.
 template <class Checker>
-bool is_tree(const Checker& checker, const GridRecords& grid) {
+bool is_tree(const Checker& checker, const StructureRecords& grid) {
   auto parent_array = checker.zeros(grid.node_count); // plus one
   std::uint32_t* const parents = parent_array.data();
   return checker.all(grid.node_count, [=] MASU_PASS(std::uint64_t i) {
@@ -215,7 +215,7 @@ bool is_tree(const Checker& checker, const GridRecords& grid) {
 
 // What is wrong with the records, whose sizes fit the table; null: nothing.
 template <class Checker>
-const char* fault_of(const Checker& checker, const GridRecords& grid) {
+const char* fault_of(const Checker& checker, const StructureRecords& grid) {
   // A hierarchy's references don't end lists.
   const std::uint32_t ignored = grid.is_hierarchy ? 0 : last_bit;
   if (!(grid.reference_count <= max_numbered &&

@@ -11,7 +11,7 @@
 namespace masu {
 namespace {
 
-std::vector<std::uint8_t> grid_table(const Grid& grid, const GridProvenance& provenance,
+std::vector<std::uint8_t> grid_table(const Structure& grid, const StructureProvenance& provenance,
                                      const std::vector<fb::Section>& section_layout) {
   flatbuffers::FlatBufferBuilder builder;
   const auto sections = builder.CreateVectorOfStructs(section_layout);
@@ -20,15 +20,18 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridProvenance& pro
   const fb::Hash geometry_hash(provenance.geometry_hash.low, provenance.geometry_hash.high);
   const fb::Box space = table_box(grid.layout.space);
   const fb::Vec3 origin = table_vector(provenance.origin);
+  const bool is_hierarchy = grid.kind == StructureKind::hierarchy;
   const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.layout.division);
   const fb::Division division(n.x, n.y, n.z);
-  builder.Finish(fb::CreateGrid(builder, &geometry_hash, provenance.primitives, &space, grid.layout.margin,
-                                &division, static_cast<std::uint32_t>(grid.block_log2),
-                                static_cast<std::uint32_t>(grid.nested_log2),
-                                provenance.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
-                                provenance.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
-                                static_cast<fb::Merge>(grid.kind), rule, merge_rule, provenance.build_seconds,
-                                sections, provenance.origin == Vec3d{0, 0, 0} ? nullptr : &origin));
+  builder.Finish(fb::CreateStructure(
+      builder, &geometry_hash, provenance.primitives, &space, grid.layout.margin, &division,
+      static_cast<std::uint32_t>(grid.block_log2), static_cast<std::uint32_t>(grid.nested_log2),
+      provenance.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
+      provenance.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
+      is_hierarchy ? fb::StructureType::hierarchy : fb::StructureType::grid,
+      is_hierarchy ? fb::Merge::none : static_cast<fb::Merge>(grid.kind),
+      static_cast<fb::Quality>(provenance.quality), rule, merge_rule, provenance.build_seconds, sections,
+      provenance.origin == Vec3d{0, 0, 0} ? nullptr : &origin));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -43,34 +46,36 @@ bool is_divisible(const Boxd& space) {
   return true;
 }
 
-std::array<SectionData, 4> sections_of(const Grid& grid) {
-  const auto section = [](fb::GridSection kind, const auto& records) {
+std::array<SectionData, 4> sections_of(const Structure& grid) {
+  const auto section = [](fb::StructureSection kind, const auto& records) {
     return section_data(static_cast<std::uint32_t>(kind), std::span(records));
   };
-  return {section(fb::GridSection::voxel_map, grid.voxel_map), section(fb::GridSection::cells, grid.cells),
-          section(fb::GridSection::references, grid.references), section(fb::GridSection::nodes, grid.nodes)};
+  return {section(fb::StructureSection::voxel_map, grid.voxel_map),
+          section(fb::StructureSection::cells, grid.cells),
+          section(fb::StructureSection::references, grid.references),
+          section(fb::StructureSection::nodes, grid.nodes)};
 }
 
 } // namespace
 
-void write_grid(const Grid& grid, const GridProvenance& provenance, const std::string& path) {
+void write_structure(const Structure& grid, const StructureProvenance& provenance, const std::string& path) {
   const auto sections = sections_of(grid);
   const auto section_layout = lay_out(sections);
-  write_container(path, grid_file_kind, grid_table(grid, provenance, section_layout), sections,
+  write_container(path, structure_file_kind, grid_table(grid, provenance, section_layout), sections,
                   section_layout);
 }
 
-GridFile grid_in_memory(const Grid& grid, const GridProvenance& provenance) {
-  return GridFile(
-      ContainerFile(make_container(grid_file_kind, sections_of(grid),
+StructureFile structure_in_memory(const Structure& grid, const StructureProvenance& provenance) {
+  return StructureFile(
+      ContainerFile(make_container(structure_file_kind, sections_of(grid),
                                    [&](const auto& layout) { return grid_table(grid, provenance, layout); }),
                     "grid"));
 }
 
-GridFile::GridFile(const std::string& path, Residence residence)
-    : GridFile(ContainerFile(path, grid_file_kind, residence)) {}
+StructureFile::StructureFile(const std::string& path, Residence residence)
+    : StructureFile(ContainerFile(path, structure_file_kind, residence)) {}
 
-GridFile::GridFile(ContainerFile container) : TableFile(std::move(container)) {
+StructureFile::StructureFile(ContainerFile container) : TableFile(std::move(container)) {
   const auto axis_good = [](std::uint32_t voxels) { return voxels >= 1 && voxels <= largest_division; };
   const fb::Division& n = *table_->division();
   check(axis_good(n.x()) && axis_good(n.y()) && axis_good(n.z()), "its division is impossible");
@@ -86,14 +91,16 @@ GridFile::GridFile(ContainerFile container) : TableFile(std::move(container)) {
   container_.set_validated();
 }
 
-void GridFile::check_sizes() const {
-  const GridRecords held = records();
+void StructureFile::check_sizes() const {
+  const StructureRecords held = records();
   const std::uint64_t words = held.words;
   const Vec3i n = held.layout.division;
   bool good = false;
+  check(table_->structure() <= fb::StructureType::MAX && table_->quality() <= fb::Quality::MAX,
+        "it is an unknown structure");
   check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
   if (is_hierarchy()) {
-    check(held.node_count > 0 && words == 0 && held.cell_count == 0 && voxel_count(n) == 1,
+    check(!is_merged() && held.node_count > 0 && words == 0 && held.cell_count == 0 && voxel_count(n) == 1,
           "it has no hierarchy");
     return;
   }
@@ -111,25 +118,25 @@ void GridFile::check_sizes() const {
   check(good, "its voxel map has the wrong size");
 }
 
-Vec3d GridFile::origin() const {
+Vec3d StructureFile::origin() const {
   return table_->origin() != nullptr ? vector_of(*table_->origin()) : Vec3d{0, 0, 0};
 }
 
-GridLayout GridFile::layout() const {
+GridLayout StructureFile::layout() const {
   const fb::Division& n = *table_->division();
   return {box_of(*table_->space()), cast<std::int32_t>(Vec3<std::uint32_t>{n.x(), n.y(), n.z()}),
           table_->margin()};
 }
 
-GridRecords GridFile::records() const {
+StructureRecords StructureFile::records() const {
   return {voxel_map().data(),
           cells().data(),
           references().data(),
           nodes().data(),
-          count<std::uint32_t>(fb::GridSection::voxel_map),
-          count<MergedCell>(fb::GridSection::cells),
-          count<PrimitiveIndex>(fb::GridSection::references),
-          count<HierarchyNode>(fb::GridSection::nodes),
+          count<std::uint32_t>(fb::StructureSection::voxel_map),
+          count<MergedCell>(fb::StructureSection::cells),
+          count<PrimitiveIndex>(fb::StructureSection::references),
+          count<HierarchyNode>(fb::StructureSection::nodes),
           table_->primitives(),
           is_hierarchy(),
           is_merged(),
@@ -138,7 +145,7 @@ GridRecords GridFile::records() const {
           static_cast<std::int32_t>(table_->nested_log2())};
 }
 
-void GridFile::check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const {
+void StructureFile::check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const {
   if (hash_of(*table_->geometry_hash()) != geometry_hash || table_->primitives() != primitives)
     throw Error(ErrorCode::input, path(), "was built from another geometry: build it again with gridbuild");
 }

@@ -10,53 +10,57 @@
 
 namespace masu {
 
-inline constexpr FileKind grid_file_kind{
-    {'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 4, "grid", "build it again with gridbuild"};
+inline constexpr FileKind structure_file_kind{
+    {'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 5, "grid", "build it again with gridbuild"};
 
 // How a grid came about, as its file tells it.
-struct GridProvenance {
+struct StructureProvenance {
   Hash geometry_hash; // the scene's (scene_file.h)
   std::uint64_t primitives = 0;
   Vec3d origin{0, 0, 0}; // likewise: where it is in the world (local_origin.h)
   SpaceRule space_rule{};
   Overlap overlap{};
   std::string division_rule;
-  std::string merge_rule{};
-  double build_seconds = -1; // -1: not recorded, so that equal builds give equal files
+  std::string merge_rule{};   // of a merged grid
+  HierarchyQuality quality{}; // of a hierarchy
+  double build_seconds = -1;  // -1: not recorded, so that equal builds give equal files
 };
 
 // Writes the grid to `path`, whole or not at all. Throws Error(output).
-void write_grid(const Grid& grid, const GridProvenance& provenance, const std::string& path);
+void write_structure(const Structure& grid, const StructureProvenance& provenance, const std::string& path);
 
-class GridFile;
+class StructureFile;
 
 // The same in memory: a grid file that was never written.
-GridFile grid_in_memory(const Grid& grid, const GridProvenance& provenance);
+StructureFile structure_in_memory(const Structure& grid, const StructureProvenance& provenance);
 
 // A grid file, checked: every index in it can be followed. Of one whose records stay in the file, only the
 // table is; who copies them checks them (structure_checks.h).
-class GridFile : public TableFile<fb::Grid, fb::GridSection> {
+class StructureFile : public TableFile<fb::Structure, fb::StructureSection> {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
-  explicit GridFile(const std::string& path, Residence residence = Residence::memory);
+  explicit StructureFile(const std::string& path, Residence residence = Residence::memory);
 
   // Of the scene that it was built from: the point in the world that all places are relative to.
   Vec3d origin() const;
   GridLayout layout() const;
-  bool is_hierarchy() const { return table_->merge() == fb::Merge::hierarchy; }
-  bool is_merged() const { return table_->merge() != fb::Merge::none && !is_hierarchy(); }
+  bool is_hierarchy() const { return table_->structure() == fb::StructureType::hierarchy; }
+  bool is_merged() const { return table_->merge() != fb::Merge::none; }
+  HierarchyQuality quality() const { return static_cast<HierarchyQuality>(table_->quality()); }
   std::span<const std::uint32_t> voxel_map() const {
-    return TableFile::records<std::uint32_t>(fb::GridSection::voxel_map);
+    return TableFile::records<std::uint32_t>(fb::StructureSection::voxel_map);
   }
-  std::span<const MergedCell> cells() const { return TableFile::records<MergedCell>(fb::GridSection::cells); }
+  std::span<const MergedCell> cells() const {
+    return TableFile::records<MergedCell>(fb::StructureSection::cells);
+  }
   std::span<const PrimitiveIndex> references() const {
-    return TableFile::records<PrimitiveIndex>(fb::GridSection::references);
+    return TableFile::records<PrimitiveIndex>(fb::StructureSection::references);
   }
   std::span<const HierarchyNode> nodes() const {
-    return TableFile::records<HierarchyNode>(fb::GridSection::nodes);
+    return TableFile::records<HierarchyNode>(fb::StructureSection::nodes);
   }
   // The same arrays, and how long they are also where the records stay in the file.
-  GridRecords records() const;
+  StructureRecords records() const;
 
   // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
   void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
@@ -76,8 +80,8 @@ public:
   }
 
 private:
-  friend GridFile grid_in_memory(const Grid&, const GridProvenance&);
-  explicit GridFile(ContainerFile container);
+  friend StructureFile structure_in_memory(const Structure&, const StructureProvenance&);
+  explicit StructureFile(ContainerFile container);
   void check_sizes() const;
 };
 

@@ -21,7 +21,7 @@ const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std
   return nullptr;
 }
 
-std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options) {
+std::int32_t nested_log2_for(const Vec3i& division, const StructureOptions& options) {
   const std::int32_t longest = std::max({division.x, division.y, division.z});
   std::int32_t nested_log2 = 0;
   while (nested_log2 < options.nested_log2 && (longest << (nested_log2 + 1)) <= max_plane)
@@ -61,7 +61,7 @@ struct PartBegin {
   std::uint64_t nested, cells, references;
 };
 
-void copy_part(const Grid& own, const VoxelSpan& span, const PartBegin& begin, Grid& whole) {
+void copy_part(const Structure& own, const VoxelSpan& span, const PartBegin& begin, Structure& whole) {
   const std::uint64_t own_nested = rounded_to_unit(span.size());
   const auto first_cell = static_cast<std::uint32_t>(begin.cells),
              first_list = static_cast<std::uint32_t>(begin.references),
@@ -88,10 +88,10 @@ void copy_part(const Grid& own, const VoxelSpan& span, const PartBegin& begin, G
 
 // Part by part, each by one thread; a row of very many pairs is shared by all.
 template <class BuildPart>
-Grid build_in_parts(TbbExecutor& executor, const GridLayout& layout, const VoxelSpan& all,
-                    std::uint64_t max_words, const BuildPart& build_part) {
+Structure build_in_parts(TbbExecutor& executor, const GridLayout& layout, const VoxelSpan& all,
+                         std::uint64_t max_words, const BuildPart& build_part) {
   const std::vector<VoxelSpan> spans = parts_of(all, layout.division);
-  std::vector<Grid> parts(spans.size());
+  std::vector<Structure> parts(spans.size());
   const auto is_large = [&](std::size_t i) { return spans[i].pairs > 16 * max_part_pairs; };
   std::atomic<std::size_t> finished = 0;
   const std::uint64_t top_words = rounded_to_unit(all.size());
@@ -109,7 +109,7 @@ Grid build_in_parts(TbbExecutor& executor, const GridLayout& layout, const Voxel
     if (executor.progress != nullptr)
       (*executor.progress)(parts_share * static_cast<double>(++finished) / static_cast<double>(spans.size()));
   });
-  Grid whole{layout};
+  Structure whole{layout};
   if ((whole.exceeded = too_many()) != nullptr) return whole;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (is_large(i)) parts[i] = build_part(executor, spans[i]);
@@ -121,7 +121,7 @@ Grid build_in_parts(TbbExecutor& executor, const GridLayout& layout, const Voxel
   std::vector<PartBegin> begins;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if ((whole.exceeded = parts[i].exceeded) != nullptr) return whole;
-    const Grid& part = parts[i];
+    const Structure& part = parts[i];
     begins.push_back(end);
     end.nested += part.voxel_map.size() - rounded_to_unit(spans[i].size());
     end.cells += part.cells.size();
@@ -142,14 +142,14 @@ Grid build_in_parts(TbbExecutor& executor, const GridLayout& layout, const Voxel
 }
 
 template <class Stored>
-Grid merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                 const GridOptions& options, ProgressMonitor* progress) {
+Structure merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                      const StructureOptions& options, ProgressMonitor* progress) {
   TbbExecutor executor{progress};
   return merged_grid(executor, scene, layout, overlap, options);
 }
-template Grid merged_grid(const SceneView<float>&, const GridLayout&, Overlap, const GridOptions&,
-                          ProgressMonitor*);
-template Grid merged_grid(const SceneView<double>&, const GridLayout&, Overlap, const GridOptions&,
-                          ProgressMonitor*);
+template Structure merged_grid(const SceneView<float>&, const GridLayout&, Overlap, const StructureOptions&,
+                               ProgressMonitor*);
+template Structure merged_grid(const SceneView<double>&, const GridLayout&, Overlap, const StructureOptions&,
+                               ProgressMonitor*);
 
 } // namespace masu

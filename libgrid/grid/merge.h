@@ -20,7 +20,7 @@ MASU_HD inline MergedCell packed(const VoxelBox& box, std::uint32_t list) {
 }
 
 // How an irregular grid's voxels are divided further: as often as planes can be numbered.
-std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options);
+std::int32_t nested_log2_for(const Vec3i& division, const StructureOptions& options);
 
 inline constexpr const char* too_many_cells = "more than 2^31 cells or references";
 inline constexpr const char* too_many_fragments = "lists that hardly get shorter where they are divided";
@@ -34,7 +34,7 @@ const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std
 // Of kind x, balance or irregular. Independent of the number of threads. Throws Error(input) for more
 // primitives than grids can number. `progress` gets shares of the work.
 template <class Stored>
-Grid merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                 const GridOptions& options, ProgressMonitor* progress = nullptr);
+Structure merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                      const StructureOptions& options, ProgressMonitor* progress = nullptr);
 
 } // namespace masu

@@ -162,7 +162,7 @@ cells_before_voxels(Executor& executor, const Vec3i& division, const VoxelSpan& 
 template <class Executor>
 void write_empty_runs(Executor& executor, const Vec3i& division, const VoxelSpan& span,
                       const std::uint32_t* occupied_number, const std::uint32_t* cells_before,
-                      ExecutorGrid<Executor>& grid) {
+                      ExecutorStructure<Executor>& grid) {
   MergedCell* const cells = grid.cells.data();
   std::uint32_t* const map = grid.voxel_map.data();
   const std::int32_t log2 = grid.nested_log2;
@@ -203,7 +203,7 @@ struct ListCells {
 template <class Executor>
 void write_nested_maps(Executor& executor, const Vec3i& division, const VoxelSpan& span,
                        const ArrayOf<Executor, std::uint32_t>& indices, const LeafCounts* starts,
-                       const LeafCounts* leaves, std::uint64_t max_words, ExecutorGrid<Executor>& grid) {
+                       const LeafCounts* leaves, std::uint64_t max_words, ExecutorStructure<Executor>& grid) {
   const std::uint64_t voxels = indices.size(), top_words = rounded_to_unit(span.size());
   const std::uint32_t* const index = indices.data();
   const std::int32_t log2 = grid.nested_log2;
@@ -260,14 +260,14 @@ void write_nested_maps(Executor& executor, const Vec3i& division, const VoxelSpa
 // A part of a grid whose cells, references and words are numbered from its own beginning: the words are those
 // of the span's voxels, and what they lead to.
 template <class Executor, class Stored>
-ExecutorGrid<Executor> merged_part(Executor& executor, const Splitter<Stored>& splitter,
-                                   const GridLayout& layout, std::int32_t nested_log2, const VoxelSpan& span,
-                                   FragmentSum& sum) {
+ExecutorStructure<Executor> merged_part(Executor& executor, const Splitter<Stored>& splitter,
+                                        const GridLayout& layout, std::int32_t nested_log2,
+                                        const VoxelSpan& span, FragmentSum& sum) {
   const Vec3i division = layout.division;
-  const GridKind kind = splitter.options.kind;
-  ExecutorGrid<Executor> grid{layout, kind, 0, nested_log2};
+  const StructureKind kind = splitter.options.kind;
+  ExecutorStructure<Executor> grid{layout, kind, 0, nested_log2};
   OccupiedVoxels<Executor> occupied = occupied_voxels(executor, span);
-  auto levels = kind == GridKind::x
+  auto levels = kind == StructureKind::x
                     ? unsplit_voxels(executor, division, span, occupied)
                     : split_voxels(executor, splitter, division, nested_log2, span, occupied, sum);
   occupied.numbers = {};
@@ -307,8 +307,8 @@ ExecutorGrid<Executor> merged_part(Executor& executor, const Splitter<Stored>& s
 
 // All voxels as one part. On the host's cores: as many (merge.cpp).
 template <class Executor, class BuildPart>
-ExecutorGrid<Executor> build_in_parts(Executor& executor, const GridLayout&, const VoxelSpan& all,
-                                      std::uint64_t, const BuildPart& build_part) {
+ExecutorStructure<Executor> build_in_parts(Executor& executor, const GridLayout&, const VoxelSpan& all,
+                                           std::uint64_t, const BuildPart& build_part) {
   return build_part(executor, all);
 }
 
@@ -337,8 +337,8 @@ struct WriteVoxels {
 };
 
 template <class Executor, class Stored>
-ExecutorGrid<Executor> balanced_grid(Executor& executor, const Splitter<Stored>& splitter) {
-  ExecutorGrid<Executor> grid{splitter.layout, GridKind::balance};
+ExecutorStructure<Executor> balanced_grid(Executor& executor, const Splitter<Stored>& splitter) {
+  ExecutorStructure<Executor> grid{splitter.layout, StructureKind::balance};
   const VoxelBox whole{{0, 0, 0}, grid.layout.division};
   ArrayOf<Executor, std::uint32_t> kept{};
   auto fragments = fragments_of(
@@ -368,16 +368,17 @@ ExecutorGrid<Executor> balanced_grid(Executor& executor, const Splitter<Stored>&
 
 // Of kind x, balance or irregular.
 template <class Executor, class Stored>
-ExecutorGrid<Executor> merged_grid(Executor& executor, const SceneView<Stored>& scene,
-                                   const GridLayout& layout, Overlap overlap, const GridOptions& options) {
+ExecutorStructure<Executor> merged_grid(Executor& executor, const SceneView<Stored>& scene,
+                                        const GridLayout& layout, Overlap overlap,
+                                        const StructureOptions& options) {
   check_primitives(scene.primitive_count());
-  const bool irregular = options.kind == GridKind::irregular;
+  const bool irregular = options.kind == StructureKind::irregular;
   const std::int32_t nested_log2 = irregular ? nested_log2_for(layout.division, options) : 0;
-  ExecutorGrid<Executor> grid{layout, options.kind, 0, nested_log2};
+  ExecutorStructure<Executor> grid{layout, options.kind, 0, nested_log2};
   if ((grid.exceeded = exceeded_by_division(layout.division)) != nullptr) return grid;
-  GridOptions tried = options;
+  StructureOptions tried = options;
   const auto splitter = [&] { return Splitter<Stored>(scene, finer(layout, nested_log2), overlap, tried); };
-  if (options.kind == GridKind::balance) return balanced_grid(executor, splitter());
+  if (options.kind == StructureKind::balance) return balanced_grid(executor, splitter());
   auto pairs =
       voxel_pairs(executor, scene, layout, overlap, StorageOrder(layout.division, 0), options.max_references);
   if (!pairs) {

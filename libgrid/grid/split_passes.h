@@ -297,7 +297,7 @@ struct WriteLeaves {
 template <class Executor>
 void write_leaves(Executor& executor, const std::vector<SplitLevel<Executor>>& levels,
                   const std::vector<ArrayOf<Executor, LeafCounts>>& counts, const LeafCounts* starts,
-                  ExecutorGrid<Executor>& grid) {
+                  ExecutorStructure<Executor>& grid) {
   ArrayOf<Executor, LeafCounts> own_starts{};
   for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
     auto next_starts = executor.template array<LeafCounts>(levels[level + 1].boxes.size());

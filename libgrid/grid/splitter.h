@@ -61,11 +61,11 @@ struct Splitter {
   SceneView<Stored> scene;
   GridLayout layout;
   Overlap overlap;
-  GridOptions options;
+  StructureOptions options;
   Vec3d size;  // of a voxel
   double side; // of a cube as large
 
-  Splitter(const SceneView<Stored>& s, const GridLayout& l, Overlap o, const GridOptions& r)
+  Splitter(const SceneView<Stored>& s, const GridLayout& l, Overlap o, const StructureOptions& r)
       : scene(s), layout(l), overlap(o), options(r), size(voxel_size(l)),
         side(std::cbrt(size.x * size.y * size.z)) {}
 
@@ -90,8 +90,8 @@ struct Splitter {
   template <class ThreadGroup>
   MASU_HD Plane best_plane(const ThreadGroup& group, PlaneBins& bins, const VoxelBox& box,
                            const Fragment* fragments, std::uint32_t count) const {
-    return options.kind == GridKind::balance ? middle_plane(group, bins, box, fragments, count)
-                                             : cheapest_plane(group, bins, box, fragments, count);
+    return options.kind == StructureKind::balance ? middle_plane(group, bins, box, fragments, count)
+                                                  : cheapest_plane(group, bins, box, fragments, count);
   }
 
   // The division of a box that makes the expected cost least, if any is worth it. To be called by all

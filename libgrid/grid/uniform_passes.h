@@ -19,7 +19,7 @@
 namespace masu {
 
 template <class Executor>
-using ExecutorGrid = GridIn<typename Executor::Memory>;
+using ExecutorStructure = StructureIn<typename Executor::Memory>;
 
 // Pairs of a voxel's index in the storage order and a primitive that it lists, row by row of the voxels that
 // the primitive's bounds meet.
@@ -61,13 +61,13 @@ std::optional<VoxelPairs<Executor>> voxel_pairs(Executor& executor, const SceneV
 }
 
 template <class Executor, class Stored>
-ExecutorGrid<Executor>
+ExecutorStructure<Executor>
 uniform_grid(Executor& executor, const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
              std::uint64_t max_references = max_numbered, std::uint64_t max_words = ~std::uint64_t{0}) {
   check_primitives(scene.primitive_count());
   const StorageOrder order(layout.division, block_log2_for(layout.division));
   auto pairs = voxel_pairs(executor, scene, layout, overlap, order, max_references);
-  ExecutorGrid<Executor> grid{layout, GridKind::uniform, order.block_log2, 0};
+  ExecutorStructure<Executor> grid{layout, StructureKind::uniform, order.block_log2, 0};
   if (!pairs) {
     grid.exceeded = too_many_references;
     return grid;

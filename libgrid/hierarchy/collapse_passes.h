@@ -240,7 +240,7 @@ template <class Executor>
 ArrayOf<Executor, NodePlace>
 write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<Executor>& level,
             const CollapsedLevel<Executor>* below, const ArrayOf<Executor, NodePlace>& places,
-            ExecutorGrid<Executor>& grid) {
+            ExecutorStructure<Executor>& grid) {
   auto child_places = executor.template array<NodePlace>(below != nullptr ? below->roots.size() : 0);
   const std::uint32_t *const root = level.roots.data(), *const first_child = level.first_child.data(),
                              *const child_size = below != nullptr ? below->sizes.data() : nullptr,
@@ -266,9 +266,9 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
 
 // As a grid of the layout's space, in one voxel.
 template <class Executor>
-ExecutorGrid<Executor> collapsed_hierarchy(Executor& executor, const GridLayout& layout,
-                                           const BinaryHierarchy<Executor>& from) {
-  ExecutorGrid<Executor> grid{{layout.space, {1, 1, 1}, layout.margin}, GridKind::hierarchy};
+ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLayout& layout,
+                                                const BinaryHierarchy<Executor>& from) {
+  ExecutorStructure<Executor> grid{{layout.space, {1, 1, 1}, layout.margin}, StructureKind::hierarchy};
   if (from.nodes.size() == 0) {
     grid.nodes = executor.template zeros<HierarchyNode>(1);
     return grid;

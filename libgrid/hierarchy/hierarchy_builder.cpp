@@ -38,8 +38,8 @@ void check_hierarchy(std::uint64_t primitives, const Boxd& space) {
 }
 
 template <class Stored>
-Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality,
-                    ProgressMonitor* progress) {
+Structure build_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality,
+                          ProgressMonitor* progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
   TbbExecutor executor{progress};
   const auto leaves = hierarchy_leaves(executor, scene, layout);
@@ -48,11 +48,13 @@ Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, Hi
                                  ? top_down_hierarchy(executor, leaves, layout.space)
                                  : binary_hierarchy(scene, layout.margin, leaves, progress));
 }
-template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, HierarchyQuality, ProgressMonitor*);
-template Grid hierarchy_grid(const SceneView<double>&, const GridLayout&, HierarchyQuality, ProgressMonitor*);
+template Structure build_hierarchy(const SceneView<float>&, const GridLayout&, HierarchyQuality,
+                                   ProgressMonitor*);
+template Structure build_hierarchy(const SceneView<double>&, const GridLayout&, HierarchyQuality,
+                                   ProgressMonitor*);
 
 template <class Stored>
-bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, Grid& hierarchy) {
+bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, Structure& hierarchy) {
   check_hierarchy(layout.space);
   TbbExecutor executor;
   if (!holds_all(executor, scene, hierarchy.references)) return false;
@@ -61,7 +63,7 @@ bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, G
   hierarchy.layout = {layout.space, {1, 1, 1}, layout.margin};
   return true;
 }
-template bool refit_hierarchy(const SceneView<float>&, const GridLayout&, Grid&);
-template bool refit_hierarchy(const SceneView<double>&, const GridLayout&, Grid&);
+template bool refit_hierarchy(const SceneView<float>&, const GridLayout&, Structure&);
+template bool refit_hierarchy(const SceneView<double>&, const GridLayout&, Structure&);
 
 } // namespace masu

@@ -28,11 +28,6 @@ void check_hierarchy(const Boxd& space);
 // For both, with the memory that is free.
 void check_hierarchy(std::uint64_t primitives, const Boxd& space);
 
-// As files have it.
-inline const char* merge_rule_of(HierarchyQuality quality) {
-  return quality == HierarchyQuality::fast ? "bvh fast" : "bvh";
-}
-
 // First leaves, of primitives and parts of them (leaf_passes.h); then a binary hierarchy of these, from the
 // top down (binary_hierarchy.h, top_down_passes.h); then the cheapest nodes of eight boxes that it can be
 // collapsed to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's
@@ -40,8 +35,8 @@ inline const char* merge_rule_of(HierarchyQuality quality) {
 // depth first, a node's nodes side by side. `progress` gets shares of the work of high quality. Throws as
 // check_hierarchy() does.
 template <class Stored>
-Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality = {},
-                    ProgressMonitor* progress = nullptr);
+Structure build_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout,
+                          HierarchyQuality quality = {}, ProgressMonitor* progress = nullptr);
 
 // Fits a hierarchy to the scene's primitives where they have moved: the same nodes and references, with boxes
 // of the layout's margin around what they hold. What was divided is held whole by one of its boxes. Rays
@@ -49,6 +44,6 @@ Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, Hi
 // changed. False, and nothing is changed, where a primitive that had no surface has one now: it isn't in the
 // hierarchy. Throws as check_hierarchy() does for the layout's space.
 template <class Stored>
-bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, Grid& hierarchy);
+bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, Structure& hierarchy);
 
 } // namespace masu

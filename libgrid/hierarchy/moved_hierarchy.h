@@ -22,7 +22,7 @@ struct MovedHierarchy {
 // for. No nodes, where a triangle has an area that had none: the hierarchy doesn't refer to it. Throws as
 // moved_triangles() does, and Error(usage, "vertices", …) for a scene that reaches farther than a hierarchy.
 template <class Stored, class Number>
-MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const GridRecords& hierarchy,
+MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const StructureRecords& hierarchy,
                                        const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu);
 
 } // namespace masu

@@ -18,19 +18,19 @@ bool touch(const Boxd& a, const Boxd& b) {
 
 } // namespace
 
-std::int32_t cell_depth(const GridFile& file, const VoxelBox& box) {
+std::int32_t cell_depth(const StructureFile& file, const VoxelBox& box) {
   const Vec3i sides = box.end - box.first;
   const auto shortest = static_cast<std::uint32_t>(std::min({sides.x, sides.y, sides.z}));
   const int log2 = static_cast<int>(std::bit_width(shortest)) - 1;
   return std::max(static_cast<int>(file.table().nested_log2()) - log2, 0);
 }
 
-std::int32_t greatest_depth(const GridFile& file) {
+std::int32_t greatest_depth(const StructureFile& file) {
   return file.is_hierarchy() ? hierarchy_statistics(file.nodes()).depth - 1
                              : static_cast<std::int32_t>(file.table().nested_log2());
 }
 
-void for_each_box(const GridFile& file, const BoxFilter& filter,
+void for_each_box(const StructureFile& file, const BoxFilter& filter,
                   const std::function<void(const StructureBox&)>& act) {
   const auto is_wanted = [&](std::int32_t depth) { return !filter.depth || *filter.depth == depth; };
   if (file.is_hierarchy()) {

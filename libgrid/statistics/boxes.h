@@ -26,13 +26,13 @@ struct BoxFilter {
 
 // How often a voxel of the division is halved down to the shortest side of a cell, whose box is in the
 // smallest voxels; 0 for cells of whole voxels.
-std::int32_t cell_depth(const GridFile& file, const VoxelBox& box);
+std::int32_t cell_depth(const StructureFile& file, const VoxelBox& box);
 
 // The greatest depth that a box can have; of a hierarchy that its deepest has.
-std::int32_t greatest_depth(const GridFile& file);
+std::int32_t greatest_depth(const StructureFile& file);
 
 // In the order of their numbers. A hierarchy's boxes lie in those around their nodes, which come before them.
-void for_each_box(const GridFile& file, const BoxFilter& filter,
+void for_each_box(const StructureFile& file, const BoxFilter& filter,
                   const std::function<void(const StructureBox&)>& act);
 
 } // namespace masu

@@ -19,7 +19,7 @@ bool meet(const VoxelBox& a, const VoxelBox& b) {
 
 } // namespace
 
-GridLayout finest_layout(const GridFile& file) {
+GridLayout finest_layout(const StructureFile& file) {
   GridLayout finest = finer(file.layout(), static_cast<std::int32_t>(file.table().nested_log2()));
   finest.space = in_world(file.origin(), finest.space);
   return finest;
@@ -88,7 +88,7 @@ void for_each_cell(const MergedGridView<double>& grid, std::span<const MergedCel
   }
 }
 
-void for_each_cell(const GridFile& file, const CellFilter& filter, const CellAction& act) {
+void for_each_cell(const StructureFile& file, const CellFilter& filter, const CellAction& act) {
   if (file.is_merged())
     for_each_cell(file.merged_view<double>(), file.cells(), filter, act);
   else

@@ -31,7 +31,7 @@ inline VoxelBox whole_of(const Vec3i& division) {
 }
 
 // The layout of the smallest voxels, in the world.
-GridLayout finest_layout(const GridFile& file);
+GridLayout finest_layout(const StructureFile& file);
 
 // Where a box of the layout's voxels lies. Neighbours share coordinates bit for bit, and the outermost have
 // those of the space.
@@ -48,6 +48,6 @@ using CellAction = std::function<void(const GridCell&)>;
 void for_each_cell(const GridView<double>& grid, const CellFilter& filter, const CellAction& act);
 void for_each_cell(const MergedGridView<double>& grid, std::span<const MergedCell> cells,
                    const CellFilter& filter, const CellAction& act);
-void for_each_cell(const GridFile& file, const CellFilter& filter, const CellAction& act);
+void for_each_cell(const StructureFile& file, const CellFilter& filter, const CellAction& act);
 
 } // namespace masu

@@ -79,7 +79,7 @@ SliceWindow in_scene(const GridLayout& finest, int axis, const SliceCell& cell) 
   return rectangle;
 }
 
-void for_each_slice_cell(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
+void for_each_slice_cell(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
                          const SliceAction& act) {
   const GridLayout finest = finest_layout(file);
   const std::array<int, 2> axes = slice_axes(plane.axis);

@@ -56,7 +56,7 @@ SliceWindow in_scene(const GridLayout& finest, int axis, const SliceCell& cell);
 // gridbuild makes). Of a hierarchy for each box that meets the plane within the window, its sides included;
 // these are nested, the outer ones first.
 using SliceAction = std::function<void(const SliceCell&)>;
-void for_each_slice_cell(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
+void for_each_slice_cell(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
                          const SliceAction& act);
 
 } // namespace masu

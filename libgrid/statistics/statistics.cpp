@@ -70,7 +70,7 @@ GridStatistics grid_statistics(const MergedGridView<double>& grid, std::span<con
 
 template <class Stored>
 std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
-  const Grid grid = build_grid(scene, layout, overlap);
+  const Structure grid = build_structure(scene, layout, overlap);
   return grid_statistics(view_of<double>(grid), grid.references).occupied_cells;
 }
 template std::uint64_t occupied_voxels(const SceneView<float>&, const GridLayout&, Overlap);

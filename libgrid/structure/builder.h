@@ -1,4 +1,4 @@
-// Grid builders: the CPU, or a CUDA device. Both make the same bytes.
+// Structure builders: the CPU, or a CUDA device. Both make the same bytes.
 #pragma once
 
 #include "libgrid/structure/structure.h"
@@ -18,23 +18,23 @@ struct DeviceSeconds {
 
 // The scene must outlive it.
 template <class Stored>
-class GridBuilder {
+class StructureBuilder {
 public:
   // What `progress` throws ends a build, and any thread may call it (progress_monitor.h).
-  explicit GridBuilder(std::function<void(double)> progress = {}) : progress_(std::move(progress)) {}
-  GridBuilder(const GridBuilder&) = delete;
-  GridBuilder& operator=(const GridBuilder&) = delete;
-  virtual ~GridBuilder() = default;
+  explicit StructureBuilder(std::function<void(double)> progress = {}) : progress_(std::move(progress)) {}
+  StructureBuilder(const StructureBuilder&) = delete;
+  StructureBuilder& operator=(const StructureBuilder&) = delete;
+  virtual ~StructureBuilder() = default;
 
   // A grid of any kind but automatic. For a hierarchy the layout's space and margin matter alone, and every
   // builder builds one of high quality on the CPU. Throws Error(input) for more primitives than grids can
   // number, and Error(usage, "structure", …) for a hierarchy of a scene that reaches too far.
-  virtual Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) = 0;
+  virtual Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) = 0;
   // The same, but throws Error(usage, "division", …) for a layout that exceeds a limit.
-  Grid build(const GridLayout& layout, Overlap overlap, const GridOptions& options = {});
+  Structure build(const GridLayout& layout, Overlap overlap, const StructureOptions& options = {});
 
   // As refit_hierarchy() (hierarchy_builder.h), on the builder's device.
-  virtual bool refit(const GridLayout& layout, Grid& hierarchy) = 0;
+  virtual bool refit(const GridLayout& layout, Structure& hierarchy) = 0;
 
   virtual const SceneView<Stored>& scene() const = 0;
   virtual DeviceSeconds device_seconds() const { return {}; }
@@ -47,19 +47,19 @@ private:
 
 // `progress` gets shares of the work of merged grids and hierarchies of high quality.
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
-                                                 std::function<void(double)> progress = {});
+std::unique_ptr<StructureBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
+                                                      std::function<void(double)> progress = {});
 
 // On a CUDA device, which is the thread's current one until the builder is destroyed. Throws Error(device)
 // where there is none, and when it fails.
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device = 0,
-                                                  std::function<void(double)> progress = {});
+std::unique_ptr<StructureBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device = 0,
+                                                       std::function<void(double)> progress = {});
 
 // On the CPU.
 template <class Stored>
-Grid build_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                const GridOptions& options = {}) {
+Structure build_structure(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                          const StructureOptions& options = {}) {
   return cpu_builder(scene)->build(layout, overlap, options);
 }
 

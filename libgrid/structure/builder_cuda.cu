@@ -46,10 +46,10 @@ auto on_gpu(int gpu, const ProgressMonitor* progress, const Act& act) {
 }
 
 template <class Stored>
-class CudaBuilder final : public GridBuilder<Stored> {
+class CudaBuilder final : public StructureBuilder<Stored> {
 public:
   CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress)
-      : GridBuilder<Stored>(std::move(progress)), host_(scene), gpu_(gpu) {
+      : StructureBuilder<Stored>(std::move(progress)), host_(scene), gpu_(gpu) {
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
     on_gpu(gpu_, &this->progress(), [&] {
@@ -68,15 +68,15 @@ public:
   CudaBuilder(const CudaBuilder&) = delete;
   CudaBuilder& operator=(const CudaBuilder&) = delete;
 
-  Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    if (options.kind == GridKind::hierarchy && options.quality == HierarchyQuality::high)
-      return hierarchy_grid(host_, layout, options.quality, &this->progress()); // by the CPU
+  Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) override {
+    if (options.kind == StructureKind::hierarchy && options.quality == HierarchyQuality::high)
+      return build_hierarchy(host_, layout, options.quality, &this->progress()); // by the CPU
     return on_gpu(gpu_, &this->progress(), [&] {
-      if (options.kind == GridKind::hierarchy) {
+      if (options.kind == StructureKind::hierarchy) {
         check_hierarchy(host_.primitive_count(), layout.space);
         return built([&] { return fast_hierarchy(device_->view, layout); });
       }
-      if (options.kind == GridKind::uniform)
+      if (options.kind == StructureKind::uniform)
         return built([&] {
           return uniform_grid(*executor_, device_->view, layout, overlap, options.max_references,
                               options.max_map_words);
@@ -85,7 +85,7 @@ public:
     });
   }
 
-  bool refit(const GridLayout& layout, Grid& hierarchy) override {
+  bool refit(const GridLayout& layout, Structure& hierarchy) override {
     check_hierarchy(host_.primitive_count(), layout.space);
     return on_gpu(gpu_, nullptr, [&] {
       const Queue queue{nullptr, *pool_};
@@ -118,25 +118,25 @@ private:
     const UploadedScene<Stored> uploaded(two, *pool_);
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
     uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
-    merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {GridKind::irregular});
+    merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {StructureKind::irregular});
     fast_hierarchy(uploaded.view, layout);
     check(cudaDeviceSynchronize());
   }
 
-  ExecutorGrid<CudaExecutor> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout) {
+  ExecutorStructure<CudaExecutor> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout) {
     return collapsed_hierarchy(
         *executor_, layout,
         top_down_hierarchy(*executor_, hierarchy_leaves(*executor_, scene, layout), layout.space));
   }
 
   template <class Build>
-  Grid built(const Build& build) {
+  Structure built(const Build& build) {
     const DeviceTimer timer;
-    const ExecutorGrid<CudaExecutor> grid = build();
+    const ExecutorStructure<CudaExecutor> grid = build();
     seconds_.build += timer.seconds();
     const Stopwatch watch;
-    Grid copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {},
-              {},          {},        grid.detail,     grid.exceeded};
+    Structure copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {},
+                   {},          {},        grid.detail,     grid.exceeded};
     if (copy.exceeded != nullptr) return copy;
     Transfer transfer(*pool_);
     const auto fetch = [&](const auto& from, auto& to) {
@@ -163,7 +163,7 @@ private:
 } // namespace
 
 template <class Stored, class Number>
-MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const GridRecords& hierarchy,
+MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const StructureRecords& hierarchy,
                                        const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu) {
   return on_gpu(gpu, nullptr, [&] {
     CudaExecutor executor(pool);
@@ -182,23 +182,23 @@ MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const Gri
     return found;
   });
 }
-template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const GridRecords&,
+template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const StructureRecords&,
                                                const MovedVertices<float>&, cudaMemPool_t, int);
-template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const GridRecords&,
+template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const StructureRecords&,
                                                const MovedVertices<double>&, cudaMemPool_t, int);
-template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const GridRecords&,
+template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const StructureRecords&,
                                                 const MovedVertices<float>&, cudaMemPool_t, int);
-template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const GridRecords&,
+template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const StructureRecords&,
                                                 const MovedVertices<double>&, cudaMemPool_t, int);
 
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device,
-                                                  std::function<void(double)> progress) {
+std::unique_ptr<StructureBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device,
+                                                       std::function<void(double)> progress) {
   return std::make_unique<CudaBuilder<Stored>>(scene, device, std::move(progress));
 }
-template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&, int,
-                                                          std::function<void(double)>);
-template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&, int,
-                                                           std::function<void(double)>);
+template std::unique_ptr<StructureBuilder<float>> cuda_builder(const SceneView<float>&, int,
+                                                               std::function<void(double)>);
+template std::unique_ptr<StructureBuilder<double>> cuda_builder(const SceneView<double>&, int,
+                                                                std::function<void(double)>);
 
 } // namespace masu

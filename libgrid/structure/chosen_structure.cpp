@@ -42,20 +42,19 @@ void check_memory(const GridLayout& layout, double references, bool is_automatic
 }
 
 // As files have it.
-std::string merge_text(const Grid& grid, const GridOptions& options) {
+std::string merge_text(const Structure& grid, const StructureOptions& options) {
   switch (grid.kind) {
-  case GridKind::x:
+  case StructureKind::x:
     return "x";
-  case GridKind::balance:
+  case StructureKind::balance:
     return fmt::format("balance target {}", options.target);
-  case GridKind::irregular:
+  case StructureKind::irregular:
     return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
                        grid.detail, options.step_cost, options.alpha, options.expansions);
-  case GridKind::hierarchy:
-    return merge_rule_of(options.quality);
-  case GridKind::uniform:
-  case GridKind::automatic:
-  case GridKind::fastest:
+  case StructureKind::uniform:
+  case StructureKind::hierarchy:
+  case StructureKind::automatic:
+  case StructureKind::fastest:
     break;
   }
   return "";
@@ -63,16 +62,16 @@ std::string merge_text(const Grid& grid, const GridOptions& options) {
 
 struct Candidate {
   GridLayout layout;
-  GridOptions options;
+  StructureOptions options;
   std::uint64_t primitives;
 };
 
 // What is built on this layout, within limits that keep its time and memory to about eight times a
 // hierarchy's where nobody gave the division. They depend on the geometry alone.
-Candidate candidate(GridKind kind, const GridLayout& layout, const BuildOptions& options,
+Candidate candidate(StructureKind kind, const GridLayout& layout, const BuildOptions& options,
                     const DivisionStatistics& statistics) {
   const std::uint64_t primitives = statistics.all.primitives;
-  Candidate made{layout, options.grid, primitives};
+  Candidate made{layout, options.structure, primitives};
   made.options.kind = kind;
   const bool automatic_division = options.division.kind == DivisionRule::Kind::automatic;
   const auto limit = [](double count) {
@@ -80,7 +79,7 @@ Candidate candidate(GridKind kind, const GridLayout& layout, const BuildOptions&
   };
   // Expected references are those of the exact overlap test.
   if (automatic_division) made.options.max_references = limit(4 * most_references(primitives));
-  if (kind == GridKind::uniform) {
+  if (kind == StructureKind::uniform) {
     const double words =
         0x1p23 + 8 * hierarchy_bytes_per_primitive / sizeof(std::uint32_t) * static_cast<double>(primitives);
     made.options.max_map_words = automatic_division ? limit(words) : ~std::uint64_t{0};
@@ -88,7 +87,7 @@ Candidate candidate(GridKind kind, const GridLayout& layout, const BuildOptions&
   // SPD scenes make up to 72 fragments per primitive on all levels. Boxes meet more voxels than expected.
   constexpr double always = 0x1p16;
   const double fragments_per_reference = options.overlap == Overlap::box ? 1024 : 128;
-  const double listed = automatic_division && kind == GridKind::irregular
+  const double listed = automatic_division && kind == StructureKind::irregular
                             ? static_cast<double>(primitives)
                             : expected_references(statistics.all, layout);
   made.options.max_fragments = static_cast<std::uint64_t>(always + fragments_per_reference * listed);
@@ -110,12 +109,12 @@ std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd
                                       const BuildOptions& options) {
   const DivisionStatistics statistics = division_statistics(scene);
   const bool automatic_division = options.division.kind == DivisionRule::Kind::automatic;
-  const GridKind kind = options.grid.kind;
+  const StructureKind kind = options.structure.kind;
   std::vector<Candidate> candidates;
   const auto layout_by = [&](const DivisionRule& rule) {
     return make_grid_layout<Stored>(bounds, options.space, rule, statistics);
   };
-  const auto add = [&](GridKind of, const GridLayout& layout) {
+  const auto add = [&](StructureKind of, const GridLayout& layout) {
     for (const Candidate& known : candidates)
       if (known.options.kind == of && known.layout.division == layout.division) return;
     check_memory(layout, expected_references(statistics.all, layout), automatic_division);
@@ -127,33 +126,33 @@ std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd
       const GridLayout layout = scaled(usual, factor);
       if (factor <= 1 ||
           expected_references(statistics.all, layout) <= most_references(statistics.all.primitives))
-        add(GridKind::uniform, layout);
+        add(StructureKind::uniform, layout);
     }
   };
   const auto add_irregular = [&] { // whose voxels start out coarser, unless their division was given
     DivisionRule rule = options.division;
     if (automatic_division) rule.kind = DivisionRule::Kind::nested;
     const GridLayout usual = layout_by(rule);
-    add(GridKind::irregular, usual);
-    if (automatic_division) add(GridKind::irregular, scaled(usual, 0.25));
+    add(StructureKind::irregular, usual);
+    if (automatic_division) add(StructureKind::irregular, scaled(usual, 0.25));
   };
   const auto add_hierarchy = [&] { // whose space isn't divided
     DivisionRule rule;
     rule.kind = DivisionRule::Kind::fixed;
-    add(GridKind::hierarchy, layout_by(rule));
+    add(StructureKind::hierarchy, layout_by(rule));
   };
-  if (kind == GridKind::hierarchy) {
+  if (kind == StructureKind::hierarchy) {
     add_hierarchy();
-  } else if (kind == GridKind::irregular) {
+  } else if (kind == StructureKind::irregular) {
     add_irregular();
-  } else if (kind == GridKind::fastest || (kind == GridKind::automatic && automatic_division)) {
+  } else if (kind == StructureKind::fastest || (kind == StructureKind::automatic && automatic_division)) {
     add_uniform({1});
     add_irregular();
     // By the geometry alone, not by the memory that is free: the same scene gives the same bytes.
-    if (kind == GridKind::fastest && fits_hierarchy(candidates.front().layout.space) &&
+    if (kind == StructureKind::fastest && fits_hierarchy(candidates.front().layout.space) &&
         scene.primitive_count() <= max_hierarchy_primitives)
       add_hierarchy();
-  } else if (kind == GridKind::uniform && automatic_division) {
+  } else if (kind == StructureKind::uniform && automatic_division) {
     add_uniform({1, 0.625, 1.6});
   } else {
     GridLayout layout = layout_by(options.division);
@@ -162,7 +161,7 @@ std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd
     while (automatic_division && static_cast<double>(voxel_count(layout.division)) > most_voxels)
       layout = scaled(layout, 0.8);
     // Whoever gives a division means those voxels, not ones to divide further.
-    add(kind == GridKind::automatic ? GridKind::uniform : kind, layout);
+    add(kind == StructureKind::automatic ? StructureKind::uniform : kind, layout);
   }
   return candidates;
 }
@@ -170,10 +169,10 @@ std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd
 // Where nothing is to be chosen, or nothing could be built within the limits of a choice: the candidate, or,
 // where nobody gave the division, the first one without nested voxels, twice as large each time, that can be.
 template <class Stored>
-Grid usual_one(Candidate candidate, GridBuilder<Stored>& builder, const BuildOptions& options) {
+Structure usual_one(Candidate candidate, StructureBuilder<Stored>& builder, const BuildOptions& options) {
   if (options.division.kind == DivisionRule::Kind::automatic) {
     while (candidate.layout.division != Vec3i{1, 1, 1}) {
-      Grid built = builder.try_build(candidate.layout, options.overlap, candidate.options);
+      Structure built = builder.try_build(candidate.layout, options.overlap, candidate.options);
       if (built.exceeded == nullptr) return built;
       candidate.layout = scaled(candidate.layout, 0.5);
       candidate.options.nested_log2 = 0;
@@ -187,7 +186,7 @@ Grid usual_one(Candidate candidate, GridBuilder<Stored>& builder, const BuildOpt
 SampleLimits limits_for(const Candidate& first) {
   const auto primitives = static_cast<double>(first.primitives);
   const double work =
-      first.options.kind == GridKind::hierarchy ? 0x1p19 + 16 * primitives : 0x1p20 + 64 * primitives;
+      first.options.kind == StructureKind::hierarchy ? 0x1p19 + 16 * primitives : 0x1p20 + 64 * primitives;
   return {SampleLimits{}.rays, static_cast<std::uint64_t>(work)};
 }
 SampleLimits limits_after(const SampledCosts& first) {
@@ -195,12 +194,12 @@ SampleLimits limits_after(const SampledCosts& first) {
 }
 
 template <class Stored>
-Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& builder,
-                const BuildOptions& options, std::vector<Considered>& considered) {
+Structure fastest_of(const std::vector<Candidate>& candidates, StructureBuilder<Stored>& builder,
+                     const BuildOptions& options, std::vector<Considered>& considered) {
   if (candidates.size() == 1 || builder.scene().primitive_count() == 0)
     return usual_one(candidates.front(), builder, options);
   struct Built {
-    Grid grid;
+    Structure grid;
     SampledCosts costs;
   };
   std::optional<SampleLimits> limits;
@@ -218,15 +217,15 @@ Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& b
   };
   // A hierarchy is the last candidate, but built first: the others are measured by it.
   std::optional<Built> hierarchy;
-  if (candidates.back().options.kind == GridKind::hierarchy) hierarchy = built(candidates.back());
+  if (candidates.back().options.kind == StructureKind::hierarchy) hierarchy = built(candidates.back());
   // What comes first is the usual one. Pictures take up to 7 % longer through a coarser top division that
   // lists take as long through: their threads share no tests.
   constexpr double clearly = 0.95;
-  Grid fastest;
+  Structure fastest;
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates) {
-    const GridKind kind = candidate.options.kind;
-    std::optional<Built> one = kind == GridKind::hierarchy ? std::move(hierarchy) : built(candidate);
+    const StructureKind kind = candidate.options.kind;
+    std::optional<Built> one = kind == StructureKind::hierarchy ? std::move(hierarchy) : built(candidate);
     if (!one) continue;
     const double time = expected_time(one->costs, kind, options.processor);
     considered.push_back({kind, candidate.layout.division, one->costs, time});
@@ -239,25 +238,25 @@ Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& b
 
 } // namespace
 
-GridKind kind_of(StructureChoice structure, GridKind merge, const DivisionRule& division,
-                 HierarchyQuality quality) {
-  const bool is_merge_given = merge != GridKind::automatic;
+StructureKind kind_of(StructureChoice structure, StructureKind merge, const DivisionRule& division,
+                      HierarchyQuality quality) {
+  const bool is_merge_given = merge != StructureKind::automatic;
   if (structure == StructureChoice::hierarchy) {
     if (is_merge_given) throw Error(ErrorCode::usage, "merge", "is of grids alone");
-    return GridKind::hierarchy;
+    return StructureKind::hierarchy;
   }
   if (structure == StructureChoice::fastest && !is_merge_given &&
       division.kind == DivisionRule::Kind::automatic)
-    return GridKind::fastest;
+    return StructureKind::fastest;
   if (quality != HierarchyQuality::high) throw Error(ErrorCode::usage, "quality", "is of hierarchies alone");
   return merge;
 }
 
 template <class Stored>
-DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
-                           const BuildOptions& options) {
+DescribedStructure build_chosen(StructureBuilder<Stored>& builder, const SceneGeometry& geometry,
+                                const BuildOptions& options) {
   const std::vector<Candidate> candidates = candidates_for(builder.scene(), geometry.bounds, options);
-  DescribedGrid result;
+  DescribedStructure result;
   result.grid = fastest_of(candidates, builder, options, result.considered);
   result.provenance = {geometry.hash,
                        builder.scene().primitive_count(),
@@ -265,10 +264,12 @@ DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& ge
                        options.space,
                        options.overlap,
                        options.division.text,
-                       merge_text(result.grid, options.grid)};
+                       merge_text(result.grid, options.structure),
+                       options.structure.quality};
   return result;
 }
-template DescribedGrid build_chosen(GridBuilder<float>&, const SceneGeometry&, const BuildOptions&);
-template DescribedGrid build_chosen(GridBuilder<double>&, const SceneGeometry&, const BuildOptions&);
+template DescribedStructure build_chosen(StructureBuilder<float>&, const SceneGeometry&, const BuildOptions&);
+template DescribedStructure build_chosen(StructureBuilder<double>&, const SceneGeometry&,
+                                         const BuildOptions&);
 
 } // namespace masu

@@ -14,26 +14,26 @@ enum class StructureChoice { grid, hierarchy, fastest };
 
 // The kind that is built. `merge` is of a grid, automatic where none was given. fastest is a grid if a
 // merge rule or a division was given. Throws Error(usage) for options that contradict each other.
-GridKind kind_of(StructureChoice structure, GridKind merge, const DivisionRule& division,
-                 HierarchyQuality quality);
+StructureKind kind_of(StructureChoice structure, StructureKind merge, const DivisionRule& division,
+                      HierarchyQuality quality);
 
 // What rays take through a structure that was built, in order to choose (sampled_costs.h).
 struct Considered {
-  GridKind kind = GridKind::uniform;
+  StructureKind kind = StructureKind::uniform;
   Vec3i division{};
   SampledCosts costs;
   double expected_time = 0;
 };
 
-struct DescribedGrid {
-  Grid grid;
-  GridProvenance provenance;          // for its file
+struct DescribedStructure {
+  Structure grid;
+  StructureProvenance provenance;     // for its file
   std::vector<Considered> considered; // empty where nothing was to be chosen
 };
 
 // A grid of the builder's scene, whose geometry is given.
 //
-// Where options.division is automatic, or options.grid.kind fastest, several structures are candidates:
+// Where options.division is automatic, or options.structure.kind fastest, several structures are candidates:
 //   uniform    the division of the cost model (division.h), a coarser and a finer one
 //   irregular  the usual top division (division.h), and one with a quarter of the voxels along each axis
 //   automatic  the model's uniform one and those of irregular
@@ -48,7 +48,7 @@ struct DescribedGrid {
 // The builder's progress gets shares of all of that. Throws Error(usage, "division", …) for a given division
 // that is too fine, or where there is less memory than is needed, and as the builder does.
 template <class Stored>
-DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
-                           const BuildOptions& options);
+DescribedStructure build_chosen(StructureBuilder<Stored>& builder, const SceneGeometry& geometry,
+                                const BuildOptions& options);
 
 } // namespace masu

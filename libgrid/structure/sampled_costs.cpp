@@ -116,12 +116,12 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view, con
 struct UnitCosts {
   double step, test;
 };
-UnitCosts unit_costs(GridKind kind, Processor processor) {
+UnitCosts unit_costs(StructureKind kind, Processor processor) {
   const bool gpu = processor == Processor::gpu;
   switch (kind) {
-  case GridKind::uniform:
+  case StructureKind::uniform:
     return gpu ? UnitCosts{1, 0.45} : UnitCosts{1.2, 1.2};
-  case GridKind::hierarchy:
+  case StructureKind::hierarchy:
     return gpu ? UnitCosts{0.8, 1.5} : UnitCosts{1, 0.5};
   default:
     return gpu ? UnitCosts{1, 0.9} : UnitCosts{1, 3};
@@ -131,20 +131,20 @@ UnitCosts unit_costs(GridKind kind, Processor processor) {
 } // namespace
 
 template <class Stored>
-SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid, const SampleLimits& limits,
+SampledCosts sampled_costs(const SceneView<Stored>& scene, const Structure& grid, const SampleLimits& limits,
                            const ProgressMonitor* progress) {
   SampledCosts costs;
   if (scene.primitive_count() == 0) return costs;
-  with_grid_view<double>(grid,
-                         [&](const auto& view) { costs = costs_through(scene, view, limits, progress); });
+  with_structure_view<double>(
+      grid, [&](const auto& view) { costs = costs_through(scene, view, limits, progress); });
   return costs;
 }
-template SampledCosts sampled_costs(const SceneView<float>&, const Grid&, const SampleLimits&,
+template SampledCosts sampled_costs(const SceneView<float>&, const Structure&, const SampleLimits&,
                                     const ProgressMonitor*);
-template SampledCosts sampled_costs(const SceneView<double>&, const Grid&, const SampleLimits&,
+template SampledCosts sampled_costs(const SceneView<double>&, const Structure&, const SampleLimits&,
                                     const ProgressMonitor*);
 
-double expected_time(const SampledCosts& costs, GridKind kind, Processor processor) {
+double expected_time(const SampledCosts& costs, StructureKind kind, Processor processor) {
   const UnitCosts unit = unit_costs(kind, processor);
   double product = 1;
   for (const RayCost& ray : {costs.across, costs.aimed, costs.scattered})

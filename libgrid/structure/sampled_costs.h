@@ -28,11 +28,11 @@ struct SampleLimits {
 
 // The grid is of the scene, of any kind, and its space no farther than a hierarchy's may be.
 template <class Stored>
-SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid, const SampleLimits& limits = {},
-                           const ProgressMonitor* progress = nullptr);
+SampledCosts sampled_costs(const SceneView<Stored>& scene, const Structure& grid,
+                           const SampleLimits& limits = {}, const ProgressMonitor* progress = nullptr);
 
 // About how long rays take through a structure of the kind: the geometric mean of the sets, in steps to a
 // cell of an irregular grid on that processor.
-double expected_time(const SampledCosts& costs, GridKind kind, Processor processor);
+double expected_time(const SampledCosts& costs, StructureKind kind, Processor processor);
 
 } // namespace masu

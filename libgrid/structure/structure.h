@@ -13,23 +13,23 @@ namespace masu {
 
 // In arrays of that memory; see grid.h and hierarchy.h for what they hold.
 template <class Memory>
-struct GridIn {
+struct StructureIn {
   template <class T>
   using Array = typename Memory::template Array<T>;
 
   GridLayout layout{}; // a merged grid's smallest voxels are 2^nested_log2 times smaller
-  GridKind kind = GridKind::uniform;
+  StructureKind kind = StructureKind::uniform;
   std::int32_t block_log2 = 0;  // of uniform grids
   std::int32_t nested_log2 = 0; // of merged ones
   Array<std::uint32_t> voxel_map{};
   Array<MergedCell> cells{}; // of merged ones
   Array<PrimitiveIndex> references{};
-  Array<HierarchyNode> nodes{};   // of a hierarchy, which has no map and no cells
-  double detail = 0;              // of an irregular one: as GridOptions, or less where its map demands that
+  Array<HierarchyNode> nodes{}; // of a hierarchy, which has no map and no cells
+  double detail = 0; // of an irregular one: as StructureOptions, or less where its map demands that
   const char* exceeded = nullptr; // what the layout makes too many of, where there is no grid: "more than …"
 
   // Of no scene.
-  operator GridRecords() const {
+  operator StructureRecords() const {
     return {voxel_map.data(),
             cells.data(),
             references.data(),
@@ -39,15 +39,15 @@ struct GridIn {
             references.size(),
             nodes.size(),
             0,
-            kind == GridKind::hierarchy,
-            kind != GridKind::uniform && kind != GridKind::hierarchy,
+            kind == StructureKind::hierarchy,
+            kind != StructureKind::uniform && kind != StructureKind::hierarchy,
             layout,
             block_log2,
             nested_log2};
   }
 };
 
-using Grid = GridIn<HostMemory>;
+using Structure = StructureIn<HostMemory>;
 
 inline constexpr const char* too_many_references = "more references than are possible";
 inline constexpr const char* too_many_words = "more words for its map than are possible";

@@ -15,16 +15,16 @@ namespace masu {
 //   hierarchy  no voxels: a bounding volume hierarchy (hierarchy_builder.h)
 //   automatic  uniform or irregular, by tracing some rays through both (chosen_structure.h)
 //   fastest    uniform, irregular or hierarchy, likewise
-// A built grid is of none of the last two; the others are numbered as schemas/structure.fbs numbers them.
-enum class GridKind { uniform, x, balance, irregular, hierarchy, automatic, fastest };
+// What is built is of none of the last two. Merges are numbered as schemas/structure.fbs numbers them.
+enum class StructureKind { uniform, x, balance, irregular, hierarchy, automatic, fastest };
 
 // How a hierarchy is split: primitives, too, where boxes would overlap (high, binary_hierarchy.h), or none of
-// them (fast, top_down_passes.h), in a third of the time.
+// them (fast, top_down_passes.h), in a third of the time. Numbered as in schemas/structure.fbs.
 enum class HierarchyQuality { high, fast };
 
 // A kind and its options; those of other kinds don't matter.
-struct GridOptions {
-  GridKind kind = GridKind::uniform;
+struct StructureOptions {
+  StructureKind kind = StructureKind::uniform;
   std::uint32_t target = 8; // balance: the most references of a cell, where voxels allow it
   double alpha = 0.95;      // irregular: divide while that makes the cost less than alpha times what it is
   double step_cost = 5;     // irregular: of the step to a cell, in intersection tests
@@ -44,7 +44,7 @@ struct GridOptions {
 enum class Processor { gpu, cpu };
 
 struct BuildOptions {
-  GridOptions grid{GridKind::automatic};
+  StructureOptions structure{StructureKind::automatic};
   DivisionRule division;
   Processor processor = Processor::gpu;
   SpaceRule space = SpaceRule::tight;

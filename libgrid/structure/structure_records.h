@@ -8,7 +8,7 @@
 namespace masu {
 
 // The arrays, in whatever memory, and what a file's table says of them.
-struct GridRecords {
+struct StructureRecords {
   const std::uint32_t* voxel_map;
   const MergedCell* cells;
   const PrimitiveIndex* references;
@@ -22,7 +22,7 @@ struct GridRecords {
 
 // Of a uniform grid, of a merged one, of a hierarchy. Real is the arithmetic's type.
 template <class Real>
-GridView<Real> view_of(const GridRecords& grid) {
+GridView<Real> view_of(const StructureRecords& grid) {
   const Vec3d size = voxel_size(grid.layout);
   return {grid.voxel_map,
           grid.references,
@@ -34,7 +34,7 @@ GridView<Real> view_of(const GridRecords& grid) {
           grid.block_log2};
 }
 template <class Real>
-MergedGridView<Real> merged_view_of(const GridRecords& grid) {
+MergedGridView<Real> merged_view_of(const StructureRecords& grid) {
   const GridLayout finest = finer(grid.layout, grid.nested_log2);
   const Vec3d size = voxel_size(finest);
   return {grid.voxel_map,   grid.cells,
@@ -44,13 +44,13 @@ MergedGridView<Real> merged_view_of(const GridRecords& grid) {
           grid.nested_log2};
 }
 template <class Real>
-HierarchyView<Real> hierarchy_view_of(const GridRecords& grid) {
+HierarchyView<Real> hierarchy_view_of(const StructureRecords& grid) {
   return {grid.nodes, grid.references};
 }
 
 // Calls act(the view of the type for the kind of grid).
 template <class Real, class Act>
-void with_grid_view(const GridRecords& grid, const Act& act) {
+void with_structure_view(const StructureRecords& grid, const Act& act) {
   if (grid.is_hierarchy) return act(hierarchy_view_of<Real>(grid));
   grid.is_merged ? act(merged_view_of<Real>(grid)) : act(view_of<Real>(grid));
 }

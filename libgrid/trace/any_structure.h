@@ -7,26 +7,28 @@
 
 namespace masu {
 
-enum class Structure { none, uniform, merged, hierarchy };
+enum class StructureForm { none, uniform, merged, hierarchy };
 
 template <class Real>
 struct AnyStructure {
-  Structure structure = Structure::none;
+  StructureForm form = StructureForm::none;
   StopRule stop = StopRule::proven; // with a grid of cells; anything else is proven
   GridView<Real> uniform{};
   MergedGridView<Real> merged{};
   HierarchyView<Real> hierarchy{};
 };
 
-inline Structure structure_of(const GridRecords& grid) {
-  return grid.is_hierarchy ? Structure::hierarchy : grid.is_merged ? Structure::merged : Structure::uniform;
+inline StructureForm form_of(const StructureRecords& grid) {
+  return grid.is_hierarchy ? StructureForm::hierarchy
+         : grid.is_merged  ? StructureForm::merged
+                           : StructureForm::uniform;
 }
 template <class Real>
-AnyStructure<Real> any_structure(const GridRecords& grid) {
-  AnyStructure<Real> any{structure_of(grid)};
-  if (any.structure == Structure::uniform) any.uniform = view_of<Real>(grid);
-  if (any.structure == Structure::merged) any.merged = merged_view_of<Real>(grid);
-  if (any.structure == Structure::hierarchy) any.hierarchy = hierarchy_view_of<Real>(grid);
+AnyStructure<Real> any_structure(const StructureRecords& grid) {
+  AnyStructure<Real> any{form_of(grid)};
+  if (any.form == StructureForm::uniform) any.uniform = view_of<Real>(grid);
+  if (any.form == StructureForm::merged) any.merged = merged_view_of<Real>(grid);
+  if (any.form == StructureForm::hierarchy) any.hierarchy = hierarchy_view_of<Real>(grid);
   return any;
 }
 
@@ -37,20 +39,20 @@ inline constexpr bool is_any_structure<AnyStructure<Real>> = true;
 
 template <class Real>
 MASU_HD inline StopRule stop_rule(const AnyStructure<Real>& any) {
-  return any.structure == Structure::hierarchy ? StopRule::proven : any.stop;
+  return any.form == StructureForm::hierarchy ? StopRule::proven : any.stop;
 }
 
 template <class Real, class Visitor>
 MASU_HD inline void visit(const AnyStructure<Real>& any, const ClippedRay<Real>& near,
                           std::uint32_t primitives, Visitor& visitor) {
-  switch (any.structure) {
-  case Structure::none:
-    return visit(NoGrid{}, near, primitives, visitor);
-  case Structure::uniform:
+  switch (any.form) {
+  case StructureForm::none:
+    return visit(NoStructure{}, near, primitives, visitor);
+  case StructureForm::uniform:
     return visit(any.uniform, near, primitives, visitor);
-  case Structure::merged:
+  case StructureForm::merged:
     return visit(any.merged, near, primitives, visitor);
-  case Structure::hierarchy:
+  case StructureForm::hierarchy:
     return visit(any.hierarchy, near, primitives, visitor);
   }
 }

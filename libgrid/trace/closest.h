@@ -45,7 +45,7 @@ struct ClosestSearch {
 };
 
 template <class Stored>
-MASU_HD inline void search(const NoGrid&, ClosestSearch<Stored>& search) {
+MASU_HD inline void search(const NoStructure&, ClosestSearch<Stored>& search) {
   for (PrimitiveIndex i = 0; i < search.scene.primitive_count(); ++i)
     search.primitive(i);
 }

@@ -132,8 +132,8 @@ struct NextHits {
 
 // Calls act(i, near, front) for hit i, from 0 to below `limit`, at t_min < t < t_max; `near` as
 // nearest_hit_near() has it. Returns how many there were.
-template <class M, class Stored, class Grid, class Act>
-MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const Grid& grid,
+template <class M, class Stored, class Structure, class Act>
+MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const Structure& grid,
                                            const Ray<typename M::Real>& ray, const HitFilter& filter,
                                            std::uint32_t limit, const Act& act) {
   using Real = typename M::Real;

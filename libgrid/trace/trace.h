@@ -12,7 +12,7 @@
 namespace masu {
 
 // In a grid's place: every primitive is tried.
-struct NoGrid {};
+struct NoStructure {};
 
 // When the search for the nearest hit ends: once nothing that is still to come can be nearer; or, as the
 // 2012 thesis did (docs/algorithm.md), with the first cell where anything is hit, wherever that hit lies:
@@ -25,8 +25,8 @@ enum class Query { nearest_hit, occlusion, all_hits, count_hits };
 
 // A structure's rule: as a type where it is known when a program is compiled.
 using Proven = std::integral_constant<StopRule, StopRule::proven>;
-template <class Grid>
-MASU_HD constexpr Proven stop_rule(const Grid&) {
+template <class Structure>
+MASU_HD constexpr Proven stop_rule(const Structure&) {
   return {};
 }
 
@@ -155,8 +155,8 @@ struct AnyHit {
 
 // Shows the visitor what is listed for the cell that the ray is in, and goes on to the next; false at the
 // end.
-template <class Real, class Grid, class Visitor>
-MASU_HD inline bool visit_cell(const Grid& grid, Walk<Real, Grid>& walk, Visitor& visitor) {
+template <class Real, class Structure, class Visitor>
+MASU_HD inline bool visit_cell(const Structure& grid, Walk<Real, Structure>& walk, Visitor& visitor) {
   walk.enter(grid);
   std::uint32_t next = walk.cell.list;
   visitor.counts.cell(next == empty_list);
@@ -179,26 +179,27 @@ MASU_HD inline bool visit_cell(const Grid& grid, Walk<Real, Grid>& walk, Visitor
   return goes_on;
 }
 
-template <class Grid, class Real, class Visitor>
-MASU_HD inline void visit(const Grid& grid, const ClippedRay<Real>& near, std::uint32_t, Visitor& visitor) {
-  Walk<Real, Grid> walk(grid, near);
+template <class Structure, class Real, class Visitor>
+MASU_HD inline void visit(const Structure& grid, const ClippedRay<Real>& near, std::uint32_t,
+                          Visitor& visitor) {
+  Walk<Real, Structure> walk(grid, near);
   while (visit_cell(grid, walk, visitor)) {
   }
 }
 template <class Real, class Visitor>
-MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t primitives,
+MASU_HD inline void visit(const NoStructure&, const ClippedRay<Real>&, std::uint32_t primitives,
                           Visitor& visitor) {
   for (std::uint32_t i = 0; i < primitives; ++i)
     visitor.primitive(i);
 }
 
 // The nearest hit at t_min < t < t_max, as of the ray from where it enters the scene's bounds: there t has
-// the most digits. Grid: GridView<Real>, MergedGridView<Real>, HierarchyView<Real>, NoGrid or
+// the most digits. Structure: GridView<Real>, MergedGridView<Real>, HierarchyView<Real>, NoStructure or
 // AnyStructure<Real> (any_structure.h); M: a Method.
-template <class M, class Stored, class Grid, class Counts>
-MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Stored>& scene, const Grid& grid,
-                                                             const Ray<typename M::Real>& ray,
-                                                             Counts& counts) {
+template <class M, class Stored, class Structure, class Counts>
+MASU_HD inline NearHit<typename M::TestRay>
+nearest_hit_near(const SceneView<Stored>& scene, const Structure& grid, const Ray<typename M::Real>& ray,
+                 Counts& counts) {
   using Real = typename M::Real;
   ClippedRay<Real> near{};
   const bool meets_bounds = clip(ray, cast<Real>(scene.clip), near);
@@ -215,15 +216,15 @@ MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Sto
 }
 
 // The same; the hit's t counts from the ray's own origin.
-template <class M, class Stored, class Grid, class Counts>
-MASU_HD inline Hit<typename M::Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid,
+template <class M, class Stored, class Structure, class Counts>
+MASU_HD inline Hit<typename M::Real> nearest_hit(const SceneView<Stored>& scene, const Structure& grid,
                                                  const Ray<typename M::Real>& ray, Counts& counts) {
   return relative_to_origin(nearest_hit_near<M>(scene, grid, ray, counts));
 }
 
 // Whether any primitive is hit at t_min < t < t_max.
-template <class M, class Stored, class Grid, class Counts>
-MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Grid& grid,
+template <class M, class Stored, class Structure, class Counts>
+MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Structure& grid,
                                 const Ray<typename M::Real>& ray, Counts& counts) {
   using Real = typename M::Real;
   ClippedRay<Real> near{};

@@ -130,8 +130,8 @@ private:
 
 // Traces the rays of a list from `first` on, as many times eight as there are before `end`, one after the
 // other. Calls found(i, ListedHit) for each, in any order, and returns the first that is left.
-template <Query query, class M, class Stored, class Grid, class Found>
-inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Grid& grid, const void* rays,
+template <Query query, class M, class Stored, class Structure, class Found>
+inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Structure& grid, const void* rays,
                                  const RayFormat& format, std::size_t first, std::size_t end,
                                  const Found& found) {
   EightRays eight;

@@ -22,7 +22,7 @@ double seconds_of(const Act& act) {
 
 // Calls act(SceneView, grid's view, Method, counts).
 template <class Act>
-void with_everything(const SceneFile& scene, const GridFile* grid, const TracingRules& rules,
+void with_everything(const SceneFile& scene, const StructureFile* grid, const TracingRules& rules,
                      const Act& act) {
   with_store_and_arithmetic(
       scene, rules.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {

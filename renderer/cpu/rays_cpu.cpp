@@ -14,14 +14,14 @@ namespace {
 constexpr std::size_t rays_a_task = 4096;
 
 // Traces as many rays from `first` on as can be eight at a time; returns the first one left.
-template <Query query, class M, class Stored, class Grid, class C>
-std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]] const Grid& grid,
-                         [[maybe_unused]] const RayList& rays, [[maybe_unused]] const RayResults& results,
-                         [[maybe_unused]] ListProgress& progress, std::size_t first,
-                         [[maybe_unused]] std::size_t end) {
+template <Query query, class M, class Stored, class Structure, class C>
+std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene,
+                         [[maybe_unused]] const Structure& grid, [[maybe_unused]] const RayList& rays,
+                         [[maybe_unused]] const RayResults& results, [[maybe_unused]] ListProgress& progress,
+                         std::size_t first, [[maybe_unused]] std::size_t end) {
 #ifdef MASU_HOST_AVX2
   if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted &&
-                !is_any_structure<Grid>) {
+                !is_any_structure<Structure>) {
     const auto found = [&](std::size_t i, const ListedHit& listed) __attribute__((always_inline)) {
       progress.done(i);
       const Hit<float> hit = reported(listed);
@@ -32,7 +32,7 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
       if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
       add_skipped(ray.skipped, results, i, 1);
     };
-    if constexpr (std::is_same_v<Grid, HierarchyView<float>>)
+    if constexpr (std::is_same_v<Structure, HierarchyView<float>>)
       return trace_list<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
     else
       return trace_in_turn<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
@@ -41,17 +41,18 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
   return first;
 }
 
-template <Query query, class M, class Stored, class Grid, class C>
-void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays, const RayResults& results,
-           const std::function<void(double)>& report_progress, QueryReport& report, const C&) {
+template <Query query, class M, class Stored, class Structure, class C>
+void trace(const SceneView<Stored>& scene, const Structure& grid, const RayList& rays,
+           const RayResults& results, const std::function<void(double)>& report_progress, QueryReport& report,
+           const C&) {
   using Real = typename M::Real;
   ListProgress progress(report_progress, rays.count, 256,
-                        std::is_same_v<Grid, NoGrid> ? scene.primitive_count() : 0);
+                        std::is_same_v<Structure, NoStructure> ? scene.primitive_count() : 0);
   tbb::combinable<Counts> totals;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task), [&](const auto& range) {
     C counts;
-    for (std::size_t i = trace_eights<query, M, Stored, Grid, C>(scene, grid, rays, results, progress,
-                                                                 range.begin(), range.end());
+    for (std::size_t i = trace_eights<query, M, Stored, Structure, C>(scene, grid, rays, results, progress,
+                                                                      range.begin(), range.end());
          i != range.end(); ++i) {
       progress.done(i);
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
@@ -71,7 +72,7 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
 
 // Of hits in order: through any structure, of any kind.
 template <class TestRay, class Stored>
-void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayList& rays,
+void list_hits(const SceneView<Stored>& scene, const StructureFile* grid, const RayList& rays,
                const RayResults& results, const HitRules& rules,
                const std::function<void(double)>& report_progress) {
   using Real = typename TestRay::Real;
@@ -89,7 +90,7 @@ void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayLi
 
 } // namespace
 
-QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,
+QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* grid, const RayList& rays,
                            const RayResults& results, const RaysRequest& request) {
   QueryReport report;
   if (needs_hits_in_order(rays, results, request)) {

@@ -63,8 +63,8 @@ struct Pixels {
   }
 };
 
-template <class M, class Stored, class Grid, class C>
-void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Grid& grid, const C&) {
+template <class M, class Stored, class Structure, class C>
+void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Structure& grid, const C&) {
   const FrameRequest& request = pixels.request;
   Frame& frame = pixels.frame;
   tbb::combinable<Counts> totals;
@@ -105,13 +105,13 @@ void render_by_lists(const Pixels<float, Stored>& pixels, const HierarchyView<fl
 }
 #endif
 
-template <class M, class Stored, class Grid, class C>
-void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest& request, Frame& frame,
+template <class M, class Stored, class Structure, class C>
+void render(const SceneView<Stored>& scene, const Structure& grid, const FrameRequest& request, Frame& frame,
             const C& counts) {
   const Pixels<typename M::Real, Stored> pixels{scene, request, frame};
 #ifdef MASU_HOST_AVX2
   // Spheres and cones are tested one at a time either way, and rings' pictures would take 5 % longer.
-  if constexpr (tests_eight_triangles<M, Stored> && std::is_same_v<Grid, HierarchyView<float>> &&
+  if constexpr (tests_eight_triangles<M, Stored> && std::is_same_v<Structure, HierarchyView<float>> &&
                 !C::is_counted) {
     render_by_lists<M>(pixels, grid);
   } else
@@ -121,7 +121,8 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
 
 } // namespace
 
-void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request, Frame& frame) {
+void render_cpu(const SceneFile& scene, const StructureFile* grid, const FrameRequest& request,
+                Frame& frame) {
   with_everything(
       scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
         frame.seconds.trace = seconds_of([&] { render<M>(view, accelerator, request, frame, counts); });

@@ -20,7 +20,7 @@ namespace {
 
 // Checks the records that the host hasn't, and prepares what is made of them.
 template <class Stored>
-unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const GridFile* grid) {
+unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const StructureFile* grid) {
   const DeviceChecker checker(files.queue);
   const SceneView<Stored>& view = files.scene.view;
   const auto refuse = [](const std::string& path, const char* fault) {
@@ -38,7 +38,7 @@ unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, con
 
 } // namespace
 
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* grid,
                                                      int device) {
   const DeviceScope scope(device);
   const auto memory = std::make_shared<DeviceMemory>(device);
@@ -57,7 +57,7 @@ unsigned kinds_on(const DeviceFiles& files) {
   return files.kinds;
 }
 
-void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+void render_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                  const FrameRequest& request, Frame& frame) {
   const DeviceScope device(files.memory->device);
   const auto buffers = files.memory->frames.borrow();

@@ -17,7 +17,7 @@ namespace {
 void set_up_cuda(int) {
   refuse();
 }
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const GridFile*, int) {
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const StructureFile*, int) {
   refuse();
 }
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles&, const SceneFile&, const Vertices&) {
@@ -29,18 +29,18 @@ unsigned kinds_on(const DeviceFiles&) {
 ResidentRays upload_rays_cuda(const RayList&, int) {
   refuse();
 }
-void render_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const FrameRequest&, Frame&) {
+void render_cuda(const DeviceFiles&, const SceneFile&, const StructureFile*, const FrameRequest&, Frame&) {
   refuse();
 }
-QueryReport trace_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,
+QueryReport trace_rays_cuda(const DeviceFiles&, const SceneFile&, const StructureFile*, const RayList&,
                             const RayResults&, const RaysRequest&, std::atomic<std::size_t>&) {
   refuse();
 }
-QueryReport queue_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,
+QueryReport queue_rays_cuda(const DeviceFiles&, const SceneFile&, const StructureFile*, const RayList&,
                             const RayResults&, const RaysRequest&, void*) {
   refuse();
 }
-QueryReport time_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const ResidentRays&,
+QueryReport time_rays_cuda(const DeviceFiles&, const SceneFile&, const StructureFile*, const ResidentRays&,
                            const RaysRequest&) {
   refuse();
 }

@@ -48,22 +48,22 @@ struct DeviceScene {
 };
 
 struct DeviceGrid {
-  GridRecords records{}; // in the device's memory
+  StructureRecords records{}; // in the device's memory
   std::shared_ptr<const void> nodes;
   SharedArrays others;
 
-  DeviceGrid(const GridFile* grid, Transfer& upload) {
+  DeviceGrid(const StructureFile* grid, Transfer& upload) {
     if (grid == nullptr) return;
-    using fb::GridSection;
+    using fb::StructureSection;
     records = grid->records();
-    const auto add = [&]<class T>(GridSection section, const T*& of, std::uint64_t count,
+    const auto add = [&]<class T>(StructureSection section, const T*& of, std::uint64_t count,
                                   std::size_t room = 0) {
       others.push_back(shared(uploaded(*grid, section, of, count, upload, room)));
     };
-    add(GridSection::voxel_map, records.voxel_map, records.words);
-    add(GridSection::cells, records.cells, records.cell_count);
-    add(GridSection::references, records.references, records.reference_count, references_read_ahead);
-    nodes = shared(uploaded(*grid, GridSection::nodes, records.nodes, records.node_count, upload));
+    add(StructureSection::voxel_map, records.voxel_map, records.words);
+    add(StructureSection::cells, records.cells, records.cell_count);
+    add(StructureSection::references, records.references, records.reference_count, references_read_ahead);
+    nodes = shared(uploaded(*grid, StructureSection::nodes, records.nodes, records.node_count, upload));
   }
   // The same view of them.
   template <class Real>
@@ -76,7 +76,7 @@ struct DeviceGrid {
   }
   template <class Real>
   AnyStructure<Real> moved(const AnyStructure<Real>& any) const {
-    if (any.structure == Structure::none) return any;
+    if (any.form == StructureForm::none) return any;
     AnyStructure<Real> moved = any_structure<Real>(records);
     moved.stop = any.stop;
     return moved;
@@ -92,7 +92,8 @@ struct DeviceFilesOf {
   DeviceArray<Leaf<Stored>> leaves; // of LeafHierarchyView
   std::shared_ptr<KernelCache> kernels = std::make_shared<KernelCache>();
 
-  DeviceFilesOf(const SceneFile& host_scene, const GridFile* host_grid, cudaMemPool_t pool, Transfer& upload)
+  DeviceFilesOf(const SceneFile& host_scene, const StructureFile* host_grid, cudaMemPool_t pool,
+                Transfer& upload)
       : queue{nullptr, pool}, scene(host_scene, upload), grid(host_grid, upload) {}
 
   // The same scene with its triangles and the hierarchy's nodes moved; without leaves.

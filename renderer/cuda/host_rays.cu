@@ -63,7 +63,7 @@ double seconds_between(cudaEvent_t first, cudaEvent_t second) {
 
 } // namespace
 
-QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,
                             std::atomic<std::size_t>& next_piece) {
   QueryReport report;

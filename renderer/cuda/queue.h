@@ -117,7 +117,7 @@ struct RayBatch {
 // For each arithmetic and store: render_float.cu, rays_float.cu, …. Throw Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                      const GridFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
+                      const StructureFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
                       Frame& frame);
 // The picture's pixels of the radiance along all its rays.
 void queue_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
@@ -128,12 +128,13 @@ void queue_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& ra
                       const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream);
 template <class TestRay, class Stored>
 KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                       const GridFile* host_grid, const RaysRequest& request,
+                       const StructureFile* host_grid, const RaysRequest& request,
                        const RayBatch<typename TestRay::Real>& batch);
 // Hits in order (hit_list.h); not by `fast`.
 template <class TestRay, class Stored>
-KernelSize queue_hits(const DeviceFilesOf<Stored>& files, const GridFile* host_grid, const HitRules& rules,
-                      const RayFilters& filters, const RayBatch<typename TestRay::Real>& batch);
+KernelSize queue_hits(const DeviceFilesOf<Stored>& files, const StructureFile* host_grid,
+                      const HitRules& rules, const RayFilters& filters,
+                      const RayBatch<typename TestRay::Real>& batch);
 template <class Real, class Stored>
 void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
                       const RayResults& results);
@@ -141,7 +142,7 @@ void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& 
 // Puts a query of rays in the memory of the files' device, the current one, on a stream. Counts are added to
 // `counts` there, where that isn't null. `begun`, where it isn't null, is recorded when memory is there and
 // the kernels come. Throws Error(device).
-KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                       const RayList& rays, const RayResults& results, const RaysRequest& request,
                       Counts* counts, cudaStream_t stream, cudaEvent_t begun = nullptr);
 

@@ -33,7 +33,7 @@ void queue_skipped(const RayList& list, const Box<Stored>& box, const RayResults
 
 } // namespace
 
-KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                       const RayList& rays, const RayResults& results, const RaysRequest& request,
                       Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
   KernelSize size{};
@@ -69,7 +69,7 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
   return size;
 }
 
-QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,
                             void* stream) {
   const DeviceScope device(files.memory->device);
@@ -79,7 +79,7 @@ QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
   return report;
 }
 
-QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
                            const ResidentRays& rays, const RaysRequest& request) {
   const DeviceScope device(files.memory->device);
   QueryReport report;

@@ -3,13 +3,14 @@
 namespace masu {
 
 template KernelSize queue_batch<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                      const GridFile*, const RaysRequest&,
+                                                      const StructureFile*, const RaysRequest&,
                                                       const RayBatch<float>&);
-template KernelSize queue_hits<WatertightRay<float>>(const DeviceFilesOf<float>&, const GridFile*,
+template KernelSize queue_hits<WatertightRay<float>>(const DeviceFilesOf<float>&, const StructureFile*,
                                                      const HitRules&, const RayFilters&,
                                                      const RayBatch<float>&);
 template KernelSize queue_batch<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                             const GridFile*, const RaysRequest&, const RayBatch<float>&);
+                                             const StructureFile*, const RaysRequest&,
+                                             const RayBatch<float>&);
 template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<float>&, const RayResults&);
 
 } // namespace masu

@@ -3,10 +3,10 @@
 namespace masu {
 
 template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                      const GridFile*, const FrameRequest&, FrameBuffers&,
-                                                      Frame&);
+                                                      const StructureFile*, const FrameRequest&,
+                                                      FrameBuffers&, Frame&);
 template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
-                                                      const GridFile*, const FrameRequest&, FrameBuffers&,
-                                                      Frame&);
+                                                      const StructureFile*, const FrameRequest&,
+                                                      FrameBuffers&, Frame&);
 
 } // namespace masu

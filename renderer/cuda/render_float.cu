@@ -3,9 +3,9 @@
 namespace masu {
 
 template void render_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                     const GridFile*, const FrameRequest&, FrameBuffers&,
+                                                     const StructureFile*, const FrameRequest&, FrameBuffers&,
                                                      Frame&);
 template void render_on_device<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                            const GridFile*, const FrameRequest&, FrameBuffers&, Frame&);
+                                            const StructureFile*, const FrameRequest&, FrameBuffers&, Frame&);
 
 } // namespace masu

@@ -11,11 +11,12 @@
 
 namespace masu {
 
-template <class M, class Stored, class Grid, class C>
+template <class M, class Stored, class Structure, class C>
 __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
-    render_kernel(const SceneView<Stored> scene, const Grid grid, const CameraRays<typename M::Real> rays,
-                  const RenderRules rules, Vec3f* const colors, HitRecord* const hits, Counts* const total,
-                  const RayCosts costs, const std::int32_t counted_rows) {
+    render_kernel(const SceneView<Stored> scene, const Structure grid,
+                  const CameraRays<typename M::Real> rays, const RenderRules rules, Vec3f* const colors,
+                  HitRecord* const hits, Counts* const total, const RayCosts costs,
+                  const std::int32_t counted_rows) {
   const auto column = static_cast<std::int32_t>(blockIdx.x * tile_side + threadIdx.x);
   const auto row = static_cast<std::int32_t>(blockIdx.y * tile_side + threadIdx.y);
   if (column >= rays.columns || row >= rays.rows) return;
@@ -33,7 +34,7 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
 // Traces a picture with rays of this arithmetic. Throws Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                      const GridFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
+                      const StructureFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
                       Frame& frame) {
   const cudaStream_t stream = buffers.stream;
   const Queue queue{stream, files.queue.pool};

@@ -11,9 +11,9 @@
 
 namespace masu {
 
-template <Query query, class M, class Stored, class Grid, class C>
+template <Query query, class M, class Stored, class Structure, class C>
 __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
-    trace_kernel(const SceneView<Stored> scene, const Grid grid, const Ray<typename M::Real>* const rays,
+    trace_kernel(const SceneView<Stored> scene, const Structure grid, const Ray<typename M::Real>* const rays,
                  const std::uint64_t count, const RayResults results, Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_per_block + threadIdx.x;
   if (i >= count) return;
@@ -44,10 +44,10 @@ __global__ void __launch_bounds__(rays_per_block)
 
 // `double` traces occlusion and hierarchies by a thread per ray, `fast` everything: they aren't worth their
 // kernels.
-template <Query query, class TestRay, class Grid>
+template <Query query, class TestRay, class Structure>
 constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
                                 (std::is_same_v<TestRay, WatertightRay<double>> &&
-                                 query == Query::nearest_hit && !is_hierarchy<Grid>);
+                                 query == Query::nearest_hit && !is_hierarchy<Structure>);
 
 // A list of rays, with room for those that culling chooses where that may be worth it.
 template <class Real>
@@ -71,16 +71,16 @@ void cull(const DeviceFilesOf<Stored>& files, Query query, const RayBatch<Real>&
 }
 
 // Traces by warp or warp_refill (RayLoop).
-template <Query query, class M, class Stored, class Grid>
-KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, RayLoop loop,
+template <Query query, class M, class Stored, class Structure>
+KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Structure& grid, RayLoop loop,
                           const RayBatch<typename M::Real>& batch) {
   using Real = typename M::Real;
   const SceneView<Stored>& scene = files.scene.view;
   const auto count = static_cast<std::uint32_t>(batch.count);
   const cudaStream_t stream = batch.queue.stream;
   const bool refills = loop == RayLoop::warp_refill;
-  auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
-  auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
+  auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Structure>;
+  auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Structure>;
   const auto known = files.kernels->of(trace, rays_per_block),
              known_finish = files.kernels->of(finish, rays_per_block);
   const std::uint32_t blocks = std::min(blocks_of(rays_per_block, count), known.blocks),
@@ -132,7 +132,7 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
 // Puts a query on its stream. Throws Error(device).
 template <class TestRay, class Stored>
 KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                       const GridFile* host_grid, const RaysRequest& request,
+                       const StructureFile* host_grid, const RaysRequest& request,
                        const RayBatch<typename TestRay::Real>& batch) {
   using Real = typename TestRay::Real;
   KernelSize size{};
@@ -149,7 +149,7 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
       constexpr bool has_loops = std::is_same_v<C, NoCounts> && has_warp_loops<query, TestRay, Accelerator>;
       if constexpr (has_loops) {
         if constexpr (is_any_structure<Accelerator>) {
-          if (by_warps && grid.structure == Structure::merged && grid.stop == StopRule::proven) {
+          if (by_warps && grid.form == StructureForm::merged && grid.stop == StopRule::proven) {
             size = trace_by_warps<query, Used>(files, grid.merged, request.loop, batch);
             return;
           }
@@ -183,8 +183,9 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
 }
 
 template <class TestRay, class Stored>
-KernelSize queue_hits(const DeviceFilesOf<Stored>& files, const GridFile* host_grid, const HitRules& rules,
-                      const RayFilters& filters, const RayBatch<typename TestRay::Real>& batch) {
+KernelSize queue_hits(const DeviceFilesOf<Stored>& files, const StructureFile* host_grid,
+                      const HitRules& rules, const RayFilters& filters,
+                      const RayBatch<typename TestRay::Real>& batch) {
   using Real = typename TestRay::Real;
   auto* const kernel = hits_kernel<OnDevice<Method<TestRay, with_all_kinds>>, Stored>;
   batch.begin();

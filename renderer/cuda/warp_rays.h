@@ -79,9 +79,9 @@ struct WarpRays {
 };
 
 // A lane's walk: along the whole way of its own ray, or a piece of any ray's.
-template <class Real, class Grid>
+template <class Real, class Structure>
 struct LaneWalk {
-  Walk<Real, Grid> walk;
+  Walk<Real, Structure> walk;
   Real end;          // of the piece
   std::uint32_t ray; // whose way it is
   bool under_way;
@@ -89,7 +89,7 @@ struct LaneWalk {
   // What is left to go, as far as a hit may still be nearer, in so many pieces of equal length. They are
   // worth being walked apart if none is shorter than a voxel.
   template <class TestRay>
-  __device__ Real piece_length(const Grid& grid, const WarpRays<TestRay>& rays, int pieces) const {
+  __device__ Real piece_length(const Structure& grid, const WarpRays<TestRay>& rays, int pieces) const {
     const Real to = fast_min(end, fast_min(walk.end(grid), rays.nearest[ray].get().t));
     return (to - walk.exit) / static_cast<Real>(pieces);
   }
@@ -111,9 +111,9 @@ __device__ inline T from_lane(const T& value, int lane) {
 
 // Cuts what the walks under way have still to go, of which there are at most half as many as lanes, into as
 // many pieces of equal length as there are lanes for each; but into none shorter than a voxel.
-template <class TestRay, class Grid>
-__device__ inline void split_segments(const Grid& grid, unsigned under_way, WarpRays<TestRay>& rays,
-                                      LaneWalk<typename TestRay::Real, Grid>& own) {
+template <class TestRay, class Structure>
+__device__ inline void split_segments(const Structure& grid, unsigned under_way, WarpRays<TestRay>& rays,
+                                      LaneWalk<typename TestRay::Real, Structure>& own) {
   using Real = typename TestRay::Real;
   const unsigned lane = threadIdx.x % lanes_per_warp;
   const int ways = __popc(under_way), log2 = lanes_log2_for_each(ways);
@@ -122,7 +122,7 @@ __device__ inline void split_segments(const Grid& grid, unsigned under_way, Warp
   __syncwarp();
   const int way = static_cast<int>(lane) >> log2, piece = static_cast<int>(lane) & ((1 << log2) - 1);
   const int source = static_cast<int>(rays.shared_out[way < ways ? way : 0].ray);
-  Walk<Real, Grid>& walk = own.walk;
+  Walk<Real, Structure>& walk = own.walk;
   own.ray = __shfl_sync(all_lanes, own.ray, source);
   own.end = from_lane(own.end, source);
   walk.x = from_lane(walk.x, source);

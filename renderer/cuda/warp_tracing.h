@@ -22,8 +22,8 @@ namespace masu {
 // Tests what the lanes' lists hold, from `list` on; a lane has none for empty_list. `ray` is whose it is;
 // own_rays: every lane its own. As lists come to their ends, there are fewer of them from turn to turn: first
 // each lane may test its own, later each is shared out.
-template <class M, class Stored, class Grid>
-__device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& grid, std::uint32_t ray,
+template <class M, class Stored, class Structure>
+__device__ inline void test_lists(const SceneView<Stored>& scene, const Structure& grid, std::uint32_t ray,
                                   std::uint32_t list, bool own_rays, WarpRays<typename M::TestRay>& rays) {
   using Real = typename M::Real;
   const unsigned lane = threadIdx.x % lanes_per_warp, lanes_below = (1U << lane) - 1;
@@ -82,9 +82,9 @@ inline constexpr int all_fetch = lanes_per_warp, some_fetch = 12, some_fetch_cho
 inline constexpr int few_lists = 6;
 
 // The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`.
-template <bool finishes, Query query, class M, class Stored, class Grid>
+template <bool finishes, Query query, class M, class Stored, class Structure>
 __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
-    warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayQueue<typename M::Real> queue,
+    warp_kernel(const SceneView<Stored> scene, const Structure grid, const RayQueue<typename M::Real> queue,
                 const int fetching, const RayResults results, const StragglerQueue<typename M::Real> left) {
   using Real = typename M::Real;
   constexpr unsigned warps_a_block = rays_per_block / lanes_per_warp;
@@ -106,7 +106,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   const unsigned warp = threadIdx.x / lanes_per_warp, lane = threadIdx.x % lanes_per_warp;
   WarpRays<typename M::TestRay>& rays = block_rays[warp];
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
-  LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
+  LaneWalk<Real, Structure> own{{}, RealTraits<Real>::largest, lane, false};
   bool has_ray = false, more = true, own_rays = true;
   DrainSignal drain;
   const auto begin = [&](std::uint32_t number) {
@@ -123,7 +123,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     rays.nearest[lane].set({near.ray.t_max, 0});
     if (!meets) return;
     prepare(rays.tests[lane], near.ray.origin, near.ray.direction);
-    own.walk = Walk<Real, Grid>(grid, near);
+    own.walk = Walk<Real, Structure>(grid, near);
   };
   const auto report = [&] {
     if (!has_ray) return;

@@ -45,7 +45,7 @@ void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const 
 
 } // namespace
 
-void closest_points(const SceneFile& scene, const GridFile* hierarchy, const PlaceList& places,
+void closest_points(const SceneFile& scene, const StructureFile* hierarchy, const PlaceList& places,
                     const RayResults& results, double (*points)[3],
                     const std::function<void(double)>& progress) {
   check_filters(places.filters, scene.counts().objects);
@@ -64,7 +64,7 @@ void closest_points(const SceneFile& scene, const GridFile* hierarchy, const Pla
     });
   };
   scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
-    hierarchy == nullptr ? search(view, NoGrid{}) : search(view, hierarchy->hierarchy_view<Stored>());
+    hierarchy == nullptr ? search(view, NoStructure{}) : search(view, hierarchy->hierarchy_view<Stored>());
   });
 }
 

@@ -21,7 +21,7 @@ struct PlaceList {
 // `hierarchy`: of the scene; null: every primitive is tried. `progress`: as RaysRequest has it. Throws
 // Error(usage) for filters of another scene, and for a scene with coordinates beyond max_closest
 // (libgrid/trace/closest.h).
-void closest_points(const SceneFile& scene, const GridFile* hierarchy, const PlaceList& places,
+void closest_points(const SceneFile& scene, const StructureFile* hierarchy, const PlaceList& places,
                     const RayResults& results, double (*points)[3],
                     const std::function<void(double)>& progress = {});
 

@@ -37,10 +37,10 @@ struct HitRules {
 };
 
 // Writes the results of ray i.
-template <class M, class Stored, class Grid>
-MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Grid& grid, Ray<typename M::Real> ray,
-                               const RayFilters& filters, const HitRules& rules, const RayResults& results,
-                               std::size_t i) {
+template <class M, class Stored, class Structure>
+MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Structure& grid,
+                               Ray<typename M::Real> ray, const RayFilters& filters, const HitRules& rules,
+                               const RayResults& results, std::size_t i) {
   using Real = typename M::Real;
   using Near = NearHit<typename M::TestRay>;
   const bool counts_all = rules.query == Query::count_hits, lists = rules.query == Query::all_hits;

@@ -260,8 +260,8 @@ MASU_HD inline void write_hit(const RayResults& results, std::size_t i, const Hi
 }
 
 // What a ray of a list hits: for occlusion, some primitive or none.
-template <Query query, class M, class Stored, class Grid, class Counts>
-MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Grid& grid,
+template <Query query, class M, class Stored, class Structure, class Counts>
+MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Structure& grid,
                                        Ray<typename M::Real> ray, Counts& counts) {
   using Real = typename M::Real;
   const Real scale = scale_direction(ray);

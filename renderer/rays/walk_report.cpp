@@ -35,8 +35,8 @@ VoxelBox cell_voxels(const MergedGridView<Real>& grid, const Vec3i& voxel) {
   return masu::box_of(grid.cells[cell_number(grid, voxel)]);
 }
 
-template <class Grid>
-Boxd box_of(const Grid& grid, const VoxelBox& voxels) {
+template <class Structure>
+Boxd box_of(const Structure& grid, const VoxelBox& voxels) {
   const auto corner = [&](const Vec3i& plane) {
     return cast<double>(grid.min) + cast<double>(grid.voxel_size) * Vec3d{static_cast<double>(plane.x),
                                                                           static_cast<double>(plane.y),
@@ -50,11 +50,11 @@ Boxd box_of(const Grid& grid, const VoxelBox& voxels) {
 constexpr double never = std::numeric_limits<double>::infinity();
 
 // Why a walk ends where nothing is hit, unless the ray's end is reached before.
-WalkEnd end_without_hit(Structure structure) {
-  switch (structure) {
-  case Structure::none:
+WalkEnd end_without_hit(StructureForm form) {
+  switch (form) {
+  case StructureForm::none:
     return WalkEnd::tested_all;
-  case Structure::hierarchy:
+  case StructureForm::hierarchy:
     return WalkEnd::visited_all;
   default:
     return WalkEnd::left_grid;
@@ -113,8 +113,8 @@ public:
     next.t_max = ray.t_max < RealTraits<Real>::largest ? static_cast<double>(ray.t_max) : never;
     skipped_t_ = near.skipped;
     exit_ = 0;
-    if (meets_bounds) next.end = end_without_hit(report_.structure);
-    if (meets_bounds && report_.structure == Structure::none) {
+    if (meets_bounds) next.end = end_without_hit(report_.form);
+    if (meets_bounds && report_.form == StructureForm::none) {
       WalkStep all;
       all.box = report_.space;
       all.enter = from_origin(0);
@@ -144,8 +144,8 @@ public:
   // --- Cells
 
   void cell(bool) { ++ray_->cells; }
-  template <class Grid>
-  void entered(const Grid& grid, const Walk<Real, Grid>& walk) {
+  template <class Structure>
+  void entered(const Structure& grid, const Walk<Real, Structure>& walk) {
     add_step([&] { return references_of(grid.references, walk.cell.list); },
              [&](WalkStep& step) {
                step.voxels = cell_voxels(grid, walk.voxel());
@@ -154,8 +154,8 @@ public:
                step.exit = from_origin(walk.exit);
              });
   }
-  template <class Grid>
-  void left(const Walk<Real, Grid>& walk, bool done) {
+  template <class Structure>
+  void left(const Walk<Real, Structure>& walk, bool done) {
     exit_ = walk.exit;
     if (done) ray_->end = ray_->primitive != no_primitive ? WalkEnd::hit : WalkEnd::t_max;
   }
@@ -209,7 +209,7 @@ public:
   }
   void kept() {
     if (step_ != nullptr) step_->tests.back().kept = true;
-    if (report_.structure == Structure::hierarchy) ray_->end = WalkEnd::hit;
+    if (report_.form == StructureForm::hierarchy) ray_->end = WalkEnd::hit;
     ray_->t = static_cast<float>(test_.t);
     ray_->primitive = test_.primitive;
   }
@@ -277,9 +277,9 @@ void add_skipped(double skipped, WalkRay& ray) {
   }
 }
 
-template <class M, class Stored, class Grid>
-void record(const SceneView<Stored>& scene, const Vec3d& origin, const Grid& grid, const WalkRequest& request,
-            WalkReport& report) {
+template <class M, class Stored, class Structure>
+void record(const SceneView<Stored>& scene, const Vec3d& origin, const Structure& grid,
+            const WalkRequest& request, WalkReport& report) {
   using Real = typename M::Real;
   Ray<double> given = request.ray;
   if (request.all_rays)
@@ -330,10 +330,10 @@ void move_to_world(const Vec3d& origin, WalkReport& report) {
 
 WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   check_depth(request.rules.depth);
-  const GridFile* const grid = tracer.grid();
+  const StructureFile* const grid = tracer.grid();
   WalkReport report;
   report.space = tracer.scene().bounds();
-  if (grid != nullptr) report.structure = structure_of(grid->records());
+  if (grid != nullptr) report.form = form_of(grid->records());
   if (grid != nullptr && !grid->is_hierarchy()) {
     report.space = grid->layout().space;
     report.division = finest_layout(*grid).division;

@@ -74,7 +74,7 @@ struct WalkRay {
 };
 
 struct WalkReport {
-  Structure structure = Structure::none;
+  StructureForm form = StructureForm::none;
   Vec3i division{};            // of a grid, in its smallest voxels
   Boxd space{};                // that is divided; without a grid the scene's bounds
   std::vector<WalkRay> rays{}; // in the order in which they were traced, the camera's first

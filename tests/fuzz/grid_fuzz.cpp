@@ -25,8 +25,8 @@ struct Visitor {
   bool ends() const { return false; }
 };
 
-template <class Real, class Grid>
-void traverse(const Grid& grid, const masu::GridFile& file) {
+template <class Real, class Structure>
+void traverse(const Structure& grid, const masu::StructureFile& file) {
   const Real almost_one = Real(0.99);
   for (const masu::Vec3<Real>& d :
        {masu::Vec3<Real>{1, almost_one, Real(0.5)}, {-1, Real(0.001), 0}, {0, 0, 1}, {-1, -1, -1}}) {
@@ -39,7 +39,7 @@ void traverse(const Grid& grid, const masu::GridFile& file) {
 
 void open_and_traverse(const std::string& path) {
   try {
-    const masu::GridFile file(path);
+    const masu::StructureFile file(path);
     if (file.is_hierarchy()) {
       static_cast<void>(masu::hierarchy_statistics(file.nodes()));
       traverse<float>(file.hierarchy_view<float>(), file);
@@ -61,10 +61,10 @@ void open_and_traverse(const std::string& path) {
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
-  return masu::mutated<masu::fb::Grid>(data, size, max_size, seed, masu::grid_file_kind);
+  return masu::mutated<masu::fb::Structure>(data, size, max_size, seed, masu::structure_file_kind);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  masu::with_repaired<masu::fb::Grid>({data, size}, masu::grid_file_kind, open_and_traverse);
+  masu::with_repaired<masu::fb::Structure>({data, size}, masu::structure_file_kind, open_and_traverse);
   return 0;
 }

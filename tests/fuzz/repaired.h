@@ -54,7 +54,7 @@ inline XXH128_hash_t section_hash(const std::uint8_t* data, std::uint64_t size) 
 }
 
 // The input with its prelude and, if it has a valid table, its hashes corrected. Table is fb::Scene or
-// fb::Grid. With a `geometry`, a grid is bound to it.
+// fb::Structure. With a `geometry`, a grid is bound to it.
 template <class Table>
 std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const FileKind& kind,
                                    [[maybe_unused]] const Geometry* geometry = nullptr) {
@@ -76,7 +76,7 @@ std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const Fi
   const auto is_valid = [&] {
     return flatbuffers::Verifier(table, head.table_bytes).VerifyBuffer<Table>(nullptr);
   };
-  if constexpr (std::is_same_v<Table, fb::Grid>) {
+  if constexpr (std::is_same_v<Table, fb::Structure>) {
     if (geometry != nullptr && is_valid()) {
       auto* const root = flatbuffers::GetMutableRoot<Table>(table);
       if (root->geometry_hash() != nullptr) {
@@ -87,7 +87,7 @@ std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const Fi
     // Fields of a hostile table may overlap each other and what says where they are.
     if (geometry != nullptr && is_valid())
       reinterpret_cast<flatbuffers::Table*>(flatbuffers::GetMutableRoot<Table>(table))
-          ->template SetField<std::uint64_t>(fb::Grid::VT_PRIMITIVES, geometry->primitives, 0);
+          ->template SetField<std::uint64_t>(fb::Structure::VT_PRIMITIVES, geometry->primitives, 0);
   }
   if (is_valid()) {
     const auto* const sections = flatbuffers::GetRoot<Table>(table)->sections();

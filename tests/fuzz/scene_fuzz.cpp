@@ -10,8 +10,8 @@ void open_and_trace(const std::string& path) {
   try {
     const masu::SceneFile scene(path);
     masu::trace_a_little(scene, nullptr);
-    for (const masu::GridKind kind : {masu::GridKind::uniform, masu::GridKind::balance,
-                                      masu::GridKind::irregular, masu::GridKind::hierarchy})
+    for (const masu::StructureKind kind : {masu::StructureKind::uniform, masu::StructureKind::balance,
+                                           masu::StructureKind::irregular, masu::StructureKind::hierarchy})
       masu::build_a_little(scene, masu::Overlap::exact, kind, "/dev/null");
   } catch (const masu::Error&) {
   }

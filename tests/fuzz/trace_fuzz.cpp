@@ -17,7 +17,7 @@ struct TinyScene {
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
-  return masu::mutated<masu::fb::Grid>(data, size, max_size, seed, masu::grid_file_kind);
+  return masu::mutated<masu::fb::Structure>(data, size, max_size, seed, masu::structure_file_kind);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -25,8 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const masu::ReusedFile memory;
   const masu::Geometry geometry{scene.geometry, masu::tiny_scene_primitives};
   try {
-    const masu::GridFile grid(
-        memory.with(masu::repaired<masu::fb::Grid>({data, size}, masu::grid_file_kind, &geometry)));
+    const masu::StructureFile grid(
+        memory.with(masu::repaired<masu::fb::Structure>({data, size}, masu::structure_file_kind, &geometry)));
     if (grid.references().size() < 1 << 16) masu::trace_a_little(scene.file, &grid); // or it takes seconds
   } catch (const masu::Error&) {
   }

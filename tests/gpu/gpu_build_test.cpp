@@ -35,7 +35,7 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
     if (i % 10 == 0) scene.spheres.push_back(sphere_of<Stored>(at, 0.01));
     if (i % 10 == 1) scene.cones.push_back(cone_of<Stored>(at, 0.01, at + chance.direction() * 0.02, 0.005));
   }
-  GridOptions options{GridKind::irregular};
+  StructureOptions options{StructureKind::irregular};
   for (const Vec3i& division : {Vec3i{1, 1, 1}, Vec3i{3, 2, 1}, Vec3i{20, 20, 20}}) {
     GridLayout layout = random_layout<Stored>(chance, scene.bounds());
     layout.division = division;

@@ -33,13 +33,13 @@ protected:
   }
 
   static Rendering build(Store store, int size, const std::string& division,
-                         GridKind kind = GridKind::uniform) {
+                         StructureKind kind = StructureKind::uniform) {
     Scene scene = parse_nff(spd_text({GetParam().scene, size}), "an SPD scene");
     for (std::uint32_t i = 0; i < scene.triangles.size(); ++i)
       scene.faces.push_back(i / 3); // as of polygons
-    return {scene, store, division, GridOptions{kind}};
+    return {scene, store, division, StructureOptions{kind}};
   }
-  static Rendering build(const std::string& division = "auto", GridKind kind = GridKind::uniform) {
+  static Rendering build(const std::string& division = "auto", StructureKind kind = StructureKind::uniform) {
     return build(Store::float32, GetParam().min_size + 1, division, kind);
   }
 
@@ -156,11 +156,11 @@ TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
 // Of few rays and of many, through cells that list next to nothing and through such as list nearly all.
 TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
   for (const auto& [division, kind] :
-       {std::pair{"2", GridKind::uniform}, std::pair{"auto", GridKind::uniform},
-        std::pair{"4", GridKind::irregular}, std::pair{"1", GridKind::hierarchy}}) {
-    SCOPED_TRACE(std::string(division) + (kind == GridKind::uniform     ? ""
-                                          : kind == GridKind::irregular ? " irregular"
-                                                                        : " bvh"));
+       {std::pair{"2", StructureKind::uniform}, std::pair{"auto", StructureKind::uniform},
+        std::pair{"4", StructureKind::irregular}, std::pair{"1", StructureKind::hierarchy}}) {
+    SCOPED_TRACE(std::string(division) + (kind == StructureKind::uniform     ? ""
+                                          : kind == StructureKind::irregular ? " irregular"
+                                                                             : " bvh"));
     const Rendering built = build(division, kind);
     std::vector<Ray<double>> rays = random_rays(built.scene(), 4000, seed_.engine()());
     const std::vector<Ray<double>> eye =
@@ -194,7 +194,7 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
 // Warps' rays begin as packets where they are alike: bundles of 32, narrow and wide, from one point and from
 // several, some of the rays short, and in some bundles a few along an axis or backwards.
 TEST_P(CpuAndGpu, FindTheSameForBundles) {
-  const Rendering built = build(Store::float32, GetParam().standard, "1", GridKind::hierarchy);
+  const Rendering built = build(Store::float32, GetParam().standard, "1", StructureKind::hierarchy);
   const std::uint64_t seed = seed_.engine()();
   std::vector<Ray<double>> rays;
   for (const Ray<double>& middle : random_rays(built.scene(), 3000, seed)) {
@@ -245,7 +245,7 @@ TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
 // Of those between them that meet the scene some take long, until after the list has come to its end. There
 // are so many that warps take some in advance.
 TEST_P(CpuAndGpu, FindTheSameWhereMostOfTwoMillionRaysMiss) {
-  for (const GridKind kind : {GridKind::irregular, GridKind::hierarchy}) {
+  for (const StructureKind kind : {StructureKind::irregular, StructureKind::hierarchy}) {
     const Rendering built = build("1", kind);
     const Box<double> box = cast<double>(built.scene().view<float>().clip);
     const Vec3<double> away = box.max - box.min;
@@ -316,7 +316,7 @@ TEST_P(CpuAndGpu, ListTheSameHits) {
   std::mt19937_64 engine = seed_.engine();
   for (const Store store : {Store::float32, Store::float64}) {
     const Rendering built = build(store, GetParam().min_size + 1, "auto",
-                                  engine() % 2 == 0 ? GridKind::irregular : GridKind::uniform);
+                                  engine() % 2 == 0 ? StructureKind::irregular : StructureKind::uniform);
     const std::vector<Ray<double>> rays = random_rays(built.scene(), 70'000, engine());
     std::vector<PrimitiveIndex> excluded(rays.size());
     for (PrimitiveIndex& primitive : excluded)
@@ -372,20 +372,21 @@ TEST_P(CpuAndGpu, CountTheSame) {
 }
 
 TEST_P(CpuAndGpu, TraceTheSameChannels) {
-  for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular}) {
+  for (const StructureKind kind :
+       {StructureKind::uniform, StructureKind::x, StructureKind::balance, StructureKind::irregular}) {
     for (const auto& [store, precision] : {std::pair{Store::float32, Precision::robust},
                                            {Store::float32, Precision::doubled},
                                            {Store::float64, Precision::doubled}}) {
       SCOPED_TRACE(testing::Message()
                    << "kind " << static_cast<int>(kind) << " precision " << name_of(precision));
       const Rendering built =
-          build(store, GetParam().min_size + 1, kind == GridKind::irregular ? "5x4x3" : "33x20x5", kind);
+          build(store, GetParam().min_size + 1, kind == StructureKind::irregular ? "5x4x3" : "33x20x5", kind);
       ChannelsRequest wanted;
       wanted.channels.assign(std::begin(all_channels), std::end(all_channels));
       wanted.frame = request(built, 96);
       wanted.frame.tracing.precision = precision;
       for (const bool with_grid : {true, false}) {
-        if (!with_grid && kind != GridKind::uniform) continue;
+        if (!with_grid && kind != StructureKind::uniform) continue;
         const Tracer cpu_tracer = built.tracer(Device::cpu, with_grid),
                      gpu_tracer = built.tracer(Device::cuda, with_grid);
         for (const bool all_rays : {false, true}) {
@@ -422,7 +423,7 @@ TEST_P(CpuAndGpu, TraceTheSameChannelsOfALargePicture) {
 
 // A walk is recorded on the CPU, of a GPU's tracer too.
 TEST_P(CpuAndGpu, WalksHaveTheHitsAndCountsOfAGpusChannels) {
-  const Rendering built = build("5x4x3", GridKind::irregular);
+  const Rendering built = build("5x4x3", StructureKind::irregular);
   ChannelsRequest wanted;
   wanted.channels = {Channel::depth, Channel::primitive, Channel::cells, Channel::tests};
   wanted.frame = request(built, 40);
@@ -461,11 +462,12 @@ TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {
 }
 
 TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
-  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy}) {
+  for (const StructureKind kind :
+       {StructureKind::x, StructureKind::balance, StructureKind::irregular, StructureKind::hierarchy}) {
     SCOPED_TRACE(static_cast<int>(kind));
     for (const Store store : {Store::float32, Store::float64}) {
       const Rendering built =
-          build(store, GetParam().min_size + 1, kind == GridKind::irregular ? "5x4x3" : "33x20x5", kind);
+          build(store, GetParam().min_size + 1, kind == StructureKind::irregular ? "5x4x3" : "33x20x5", kind);
       FrameRequest wanted = request(built, 64);
       const Frame none = render(Device::cuda, built, wanted, false),
                   gpu = render(Device::cuda, built, wanted), cpu = render(Device::cpu, built, wanted);
@@ -481,7 +483,7 @@ TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
 }
 
 TEST_P(CpuAndGpu, FindTheSameForRandomRaysThroughAnIrregularGrid) {
-  const Rendering built = build(Store::float32, GetParam().standard, "cleary:0.05", GridKind::irregular);
+  const Rendering built = build(Store::float32, GetParam().standard, "cleary:0.05", StructureKind::irregular);
   const std::vector<Ray<double>> rays = random_rays(built.scene(), 300'000, 1);
   for (const Query query : {Query::nearest_hit, Query::occlusion})
     expect_same_traced(built, rays, {.query = query});

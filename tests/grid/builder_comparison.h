@@ -11,8 +11,8 @@
 
 namespace masu {
 
-// Builder: a type Stored, of the scene's numbers; make(scene), a GridBuilder; missing(), why there is none or
-// an empty text; and many, how many primitives a large scene has.
+// Builder: a type Stored, of the scene's numbers; make(scene), a StructureBuilder; missing(), why there is
+// none or an empty text; and many, how many primitives a large scene has.
 template <class Builder>
 class BuilderComparison : public RandomTest {
 protected:
@@ -28,9 +28,9 @@ protected:
                             : SceneMaker<Number>(chance_, chance_.power_of_two(-10, 20)).scene();
   }
   // Returns what both build.
-  Grid expect_same_builds(TestScene<Number>& scene, const GridLayout& layout, Overlap overlap,
-                          const GridOptions& options = {}) {
-    Grid grid = build_grid(scene.view(), layout, overlap, options);
+  Structure expect_same_builds(TestScene<Number>& scene, const GridLayout& layout, Overlap overlap,
+                               const StructureOptions& options = {}) {
+    Structure grid = build_structure(scene.view(), layout, overlap, options);
     expect_same(grid, Builder::make(scene.view())->build(layout, overlap, options));
     EXPECT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
     return grid;
@@ -65,8 +65,8 @@ TYPED_TEST_P(BuilderComparison, AMergedGridIsTheSameBytes) {
   for (std::int64_t s = cases(300); s > 0 && !this->HasFailure(); --s) {
     auto scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
     auto [layout, overlap, options] = random_irregular_case<Stored>(chance, scene.bounds());
-    if (chance.one_in(3)) options.kind = chance.one_of({GridKind::x, GridKind::balance});
-    const Grid grid = this->expect_same_builds(scene, layout, overlap, options);
+    if (chance.one_in(3)) options.kind = chance.one_of({StructureKind::x, StructureKind::balance});
+    const Structure grid = this->expect_same_builds(scene, layout, overlap, options);
     divided += grid.voxel_map.size() > voxel_count(layout.division) + 3;
   }
   EXPECT_GT(divided, cases(75));
@@ -80,7 +80,7 @@ TYPED_TEST_P(BuilderComparison, AMergedGridOfManyPartsIsTheSameBytes) {
     auto scene = SceneMaker<Stored>(chance, 1).fine();
     while (scene.view().primitive_count() < 100000)
       scene.triangles.insert(scene.triangles.end(), scene.triangles.begin(), scene.triangles.end());
-    GridOptions options = random_grid_options(chance);
+    StructureOptions options = random_grid_options(chance);
     options.nested_log2 = std::min(options.nested_log2, 2);
     GridLayout layout = random_layout<Stored>(chance, scene.bounds());
     layout.division = {chance.whole(1, 60), chance.whole(1, 30), chance.whole(1, 30)};
@@ -90,12 +90,12 @@ TYPED_TEST_P(BuilderComparison, AMergedGridOfManyPartsIsTheSameBytes) {
 }
 
 TYPED_TEST_P(BuilderComparison, AFastHierarchyIsTheSameBytes) {
-  GridOptions options{GridKind::hierarchy};
+  StructureOptions options{StructureKind::hierarchy};
   options.quality = HierarchyQuality::fast;
   std::int64_t divided = 0;
   for (std::int64_t s = cases(100); s > 0 && !this->HasFailure(); --s) {
     auto scene = this->scene(s);
-    const Grid grid = this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
+    const Structure grid = this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
     divided += grid.references.size() > scene.count();
   }
   EXPECT_GT(divided, 0);
@@ -106,7 +106,7 @@ TYPED_TEST_P(BuilderComparison, ARefittedHierarchyIsTheSameBytes) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(30); s > 0 && !this->HasFailure(); --s) {
     auto scene = scattered_scene<Stored>(chance, TypeParam::many / 5);
-    Grid grid = hierarchy_of(scene, any_quality(chance)), other = grid;
+    Structure grid = hierarchy_of(scene, any_quality(chance)), other = grid;
     move_primitives(chance, scene, chance.power_of_two(-10, 1));
     const GridLayout layout = hierarchy_layout(scene);
     EXPECT_TRUE(cpu_builder(scene.view())->refit(layout, grid));
@@ -119,8 +119,8 @@ TYPED_TEST_P(BuilderComparison, ARefittedHierarchyIsTheSameBytes) {
 TYPED_TEST_P(BuilderComparison, AGridOfNothingIsTheSameBytes) {
   TestScene<typename TypeParam::Stored> scene;
   const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
-  for (const GridKind kind :
-       {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy})
+  for (const StructureKind kind : {StructureKind::uniform, StructureKind::x, StructureKind::balance,
+                                   StructureKind::irregular, StructureKind::hierarchy})
     this->expect_same_builds(scene, layout, Overlap::exact, {kind});
 }
 

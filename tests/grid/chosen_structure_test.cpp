@@ -18,9 +18,9 @@ namespace masu {
 namespace {
 
 template <class Stored>
-Grid built(TestScene<Stored>& scene, GridKind kind, Processor processor = Processor::gpu) {
+Structure built(TestScene<Stored>& scene, StructureKind kind, Processor processor = Processor::gpu) {
   BuildOptions options;
-  options.grid.kind = kind;
+  options.structure.kind = kind;
   options.processor = processor;
   return build_chosen(*cpu_builder(scene.view()), {scene.bounds(), Hash{1, 2}}, options).grid;
 }
@@ -64,15 +64,15 @@ TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeClearlyFaster) {
     TestScene<TypeParam> scene =
         SceneMaker<TypeParam>(this->chance_, this->chance_.power_of_two(-10, 20)).scene();
     for (const Processor processor : processors) {
-      const auto time_of = [&](const Grid& grid) {
+      const auto time_of = [&](const Structure& grid) {
         return expected_time(sampled_costs(scene.view(), grid), grid.kind, processor);
       };
       constexpr double clearly = 0.95;
-      const double automatic = time_of(built(scene, GridKind::automatic, processor)),
-                   fastest = time_of(built(scene, GridKind::fastest, processor));
+      const double automatic = time_of(built(scene, StructureKind::automatic, processor)),
+                   fastest = time_of(built(scene, StructureKind::fastest, processor));
       EXPECT_LE(clearly * fastest, automatic);
-      EXPECT_LE(clearly * automatic, time_of(built(scene, GridKind::irregular, processor)));
-      EXPECT_LE(clearly * fastest, time_of(built(scene, GridKind::hierarchy, processor)));
+      EXPECT_LE(clearly * automatic, time_of(built(scene, StructureKind::irregular, processor)));
+      EXPECT_LE(clearly * fastest, time_of(built(scene, StructureKind::hierarchy, processor)));
     }
   }
 }
@@ -80,21 +80,23 @@ TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeClearlyFaster) {
 TYPED_TEST(Fastest, IsAGridWhereBoxesOverlapAndAHierarchyWhereSpaceIsEmpty) {
   TestScene<TypeParam> overlapping = needles<TypeParam>(this->chance_),
                        sparse = clusters<TypeParam>(this->chance_);
-  EXPECT_NE(built(overlapping, GridKind::fastest).kind, GridKind::hierarchy);
-  EXPECT_EQ(built(sparse, GridKind::fastest).kind, GridKind::hierarchy);
+  EXPECT_NE(built(overlapping, StructureKind::fastest).kind, StructureKind::hierarchy);
+  EXPECT_EQ(built(sparse, StructureKind::fastest).kind, StructureKind::hierarchy);
 }
 
 TYPED_TEST(Fastest, IsTheSameForAnyNumberOfThreads) {
   TestScene<TypeParam> scene = clusters<TypeParam>(this->chance_);
-  for (const GridKind kind : {GridKind::uniform, GridKind::automatic, GridKind::fastest}) {
+  for (const StructureKind kind :
+       {StructureKind::uniform, StructureKind::automatic, StructureKind::fastest}) {
     compare_threads([&] { return built(scene, kind); }, expect_same);
   }
 }
 
 TYPED_TEST(Fastest, CostsAreTheSameForAnyNumberOfThreads) {
   TestScene<TypeParam> scene = clusters<TypeParam>(this->chance_);
-  for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
-    const Grid grid = built(scene, kind);
+  for (const StructureKind kind :
+       {StructureKind::uniform, StructureKind::irregular, StructureKind::hierarchy}) {
+    const Structure grid = built(scene, kind);
     const auto expect_same_costs = [](const SampledCosts& one, const SampledCosts& many) {
       for (const auto set : {&SampledCosts::across, &SampledCosts::aimed, &SampledCosts::scattered}) {
         EXPECT_EQ((one.*set).steps, (many.*set).steps);
@@ -110,24 +112,24 @@ TYPED_TEST(Fastest, CostsAreTheSameForAnyNumberOfThreads) {
 
 TYPED_TEST(Fastest, IsAUniformGridForASceneWithoutPrimitives) {
   TestScene<TypeParam> scene;
-  EXPECT_EQ(built(scene, GridKind::fastest).kind, GridKind::uniform);
+  EXPECT_EQ(built(scene, StructureKind::fastest).kind, StructureKind::uniform);
 }
 
 // --- What an automatic choice may take -------------------------------------------------------------------
 
 // The CPU's, and the bytes of the largest structure that it has built, and how many it has.
-class Watched final : public GridBuilder<float> {
+class Watched final : public StructureBuilder<float> {
 public:
   explicit Watched(const SceneView<float>& scene) : builder_(cpu_builder(scene)) {}
-  Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    Grid grid = builder_->try_build(layout, overlap, options);
+  Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) override {
+    Structure grid = builder_->try_build(layout, overlap, options);
     largest = std::max(largest, 4 * grid.voxel_map.size() + 4 * grid.references.size() +
                                     sizeof(MergedCell) * grid.cells.size() +
                                     sizeof(HierarchyNode) * grid.nodes.size());
-    fragments = std::max(fragments, options.kind == GridKind::irregular ? options.max_fragments : 0);
+    fragments = std::max(fragments, options.kind == StructureKind::irregular ? options.max_fragments : 0);
     return grid;
   }
-  bool refit(const GridLayout& layout, Grid& hierarchy) override {
+  bool refit(const GridLayout& layout, Structure& hierarchy) override {
     return builder_->refit(layout, hierarchy);
   }
   const SceneView<float>& scene() const override { return builder_->scene(); }
@@ -136,7 +138,7 @@ public:
   std::uint64_t fragments = 0;
 
 private:
-  std::unique_ptr<GridBuilder<float>> builder_;
+  std::unique_ptr<StructureBuilder<float>> builder_;
 };
 
 // What lies on each other, or crosses in one place, or is larger than the rest, or lies far from zero, so
@@ -191,7 +193,7 @@ std::vector<std::pair<const char*, TestScene<float>>> hard_scenes(Chance& chance
   return scenes;
 }
 
-class Choices : public RandomTest, public testing::WithParamInterface<GridKind> {};
+class Choices : public RandomTest, public testing::WithParamInterface<StructureKind> {};
 
 TEST_P(Choices, TakeNoMoreThanAHierarchyEightTimes) {
   for (auto& [name, scene] : hard_scenes(chance_)) {
@@ -200,12 +202,12 @@ TEST_P(Choices, TakeNoMoreThanAHierarchyEightTimes) {
     const std::size_t count = view.primitive_count();
     Watched builder(view);
     BuildOptions options;
-    options.grid.kind = GetParam();
-    const DescribedGrid built = build_chosen(builder, {scene.bounds(), Hash{1, 2}}, options);
+    options.structure.kind = GetParam();
+    const DescribedStructure built = build_chosen(builder, {scene.bounds(), Hash{1, 2}}, options);
     EXPECT_EQ(built.grid.exceeded, nullptr);
     // While it is built a hierarchy takes 300 bytes per primitive. Maps with a word for each voxel are small,
     // or were asked for.
-    const bool asked = GetParam() == GridKind::x || GetParam() == GridKind::balance;
+    const bool asked = GetParam() == StructureKind::x || GetParam() == StructureKind::balance;
     EXPECT_LE(builder.largest, (std::size_t{1} << (asked ? 28 : 25)) + 8 * 300 * count);
     EXPECT_LE(builder.fragments, (std::uint64_t{1} << 16) + 128 * count);
     for (const Considered& considered : built.considered)
@@ -213,44 +215,46 @@ TEST_P(Choices, TakeNoMoreThanAHierarchyEightTimes) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(OfAllKinds, Choices,
-                         testing::Values(GridKind::fastest, GridKind::automatic, GridKind::uniform,
-                                         GridKind::x, GridKind::balance, GridKind::irregular));
+                         testing::Values(StructureKind::fastest, StructureKind::automatic,
+                                         StructureKind::uniform, StructureKind::x, StructureKind::balance,
+                                         StructureKind::irregular));
 
 // A hierarchy of what lies on each other is as slow as anything: its rays are few.
 TYPED_TEST(Fastest, SamplesFewRaysWhereEachTakesLong) {
   TestScene<TypeParam> scene;
   for (int i = 0; i < 20'000; ++i)
     scene.triangles.push_back(triangle_of<TypeParam>({0, 0, 0}, {1, 0, 0.1F}, {0, 1, 0.3F}));
-  const SampledCosts all = sampled_costs(scene.view(), built(scene, GridKind::hierarchy), {64});
-  const SampledCosts some = sampled_costs(scene.view(), built(scene, GridKind::hierarchy), {2048, all.work});
+  const SampledCosts all = sampled_costs(scene.view(), built(scene, StructureKind::hierarchy), {64});
+  const SampledCosts some =
+      sampled_costs(scene.view(), built(scene, StructureKind::hierarchy), {2048, all.work});
   EXPECT_EQ(all.rays, 64U);
   EXPECT_EQ(some.rays, 128U);
-  EXPECT_EQ(sampled_costs(scene.view(), built(scene, GridKind::hierarchy), {64, 0}).rays, 16U);
+  EXPECT_EQ(sampled_costs(scene.view(), built(scene, StructureKind::hierarchy), {64, 0}).rays, 16U);
 }
 
 TEST(FastestAnywhere, IsAGridWhereNoHierarchyReaches) {
   TestScene<double> scene;
   for (const double at : {-1e20, 1e20})
     scene.spheres.push_back(sphere_of<double>({at, at, at}, 1e18));
-  EXPECT_NE(built(scene, GridKind::fastest).kind, GridKind::hierarchy);
+  EXPECT_NE(built(scene, StructureKind::fastest).kind, StructureKind::hierarchy);
 }
 
 TEST(FastestAnywhere, IsAGridWhereAMergeRuleOrADivisionIsGiven) {
-  const auto kind = [](StructureChoice structure, GridKind merge, const char* division,
+  const auto kind = [](StructureChoice structure, StructureKind merge, const char* division,
                        HierarchyQuality quality = HierarchyQuality::high) {
     return kind_of(structure, merge, parse_division(division), quality);
   };
-  EXPECT_EQ(kind(StructureChoice::fastest, GridKind::automatic, "auto"), GridKind::fastest);
-  EXPECT_EQ(kind(StructureChoice::fastest, GridKind::automatic, "auto", HierarchyQuality::fast),
-            GridKind::fastest);
+  EXPECT_EQ(kind(StructureChoice::fastest, StructureKind::automatic, "auto"), StructureKind::fastest);
+  EXPECT_EQ(kind(StructureChoice::fastest, StructureKind::automatic, "auto", HierarchyQuality::fast),
+            StructureKind::fastest);
   for (const StructureChoice structure : {StructureChoice::fastest, StructureChoice::grid}) {
-    EXPECT_EQ(kind(structure, GridKind::automatic, "woo:2"), GridKind::automatic);
-    EXPECT_EQ(kind(structure, GridKind::x, "auto"), GridKind::x);
-    EXPECT_THROW(kind(structure, GridKind::x, "auto", HierarchyQuality::fast), Error);
+    EXPECT_EQ(kind(structure, StructureKind::automatic, "woo:2"), StructureKind::automatic);
+    EXPECT_EQ(kind(structure, StructureKind::x, "auto"), StructureKind::x);
+    EXPECT_THROW(kind(structure, StructureKind::x, "auto", HierarchyQuality::fast), Error);
   }
-  EXPECT_EQ(kind(StructureChoice::grid, GridKind::automatic, "auto"), GridKind::automatic);
-  EXPECT_EQ(kind(StructureChoice::hierarchy, GridKind::automatic, "8"), GridKind::hierarchy);
-  EXPECT_THROW(kind(StructureChoice::hierarchy, GridKind::x, "auto"), Error);
+  EXPECT_EQ(kind(StructureChoice::grid, StructureKind::automatic, "auto"), StructureKind::automatic);
+  EXPECT_EQ(kind(StructureChoice::hierarchy, StructureKind::automatic, "8"), StructureKind::hierarchy);
+  EXPECT_THROW(kind(StructureChoice::hierarchy, StructureKind::x, "auto"), Error);
 }
 
 } // namespace

@@ -29,8 +29,8 @@ TYPED_TEST(ClosestPoints, AreThoseOfTryingEveryPrimitive) {
     TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
     if (scene.count() == 0) continue;
     const SceneView<Real> view = scene.view();
-    const Grid grid = random_grid(chance, view, scene.bounds()),
-               hierarchy = hierarchy_of(scene, any_quality(chance));
+    const Structure grid = random_grid(chance, view, scene.bounds()),
+                    hierarchy = hierarchy_of(scene, any_quality(chance));
     RayMaker<Real> rays(chance, scene, scene.bounds(), grid);
     const std::uint32_t mask = 1;
     for (int p = 0; p < 100; ++p) {
@@ -39,7 +39,7 @@ TYPED_TEST(ClosestPoints, AreThoseOfTryingEveryPrimitive) {
       if (chance.one_in(3)) filter.excluded = static_cast<PrimitiveIndex>(chance.index(scene.count()));
       filter.object_masks = &mask; // of the only object
       if (chance.one_in(8)) filter.ray_mask = 2;
-      const ClosestPrimitive expected = closest_primitive(view, NoGrid{}, place, filter),
+      const ClosestPrimitive expected = closest_primitive(view, NoStructure{}, place, filter),
                              closest = closest_primitive(
                                  view,
                                  HierarchyView<Real>{hierarchy.nodes.data(), hierarchy.references.data()},
@@ -60,7 +60,7 @@ TYPED_TEST(ClosestPoints, AreOnTheSurfaceAndNoneIsCloser) {
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
     const SceneView<Real> view = scene.view();
-    const Grid grid = random_grid(chance, view, scene.bounds());
+    const Structure grid = random_grid(chance, view, scene.bounds());
     RayMaker<Real> rays(chance, scene, scene.bounds(), grid);
     for (PrimitiveIndex i = 0; i < scene.count(); ++i) {
       const Vec3d place = cast<double>(rays.ray().origin);
@@ -110,7 +110,7 @@ TEST(ClosestPoint, OfKnownPlaces) {
   scene.cones = {cone_of<float>({0, 20, 0}, 1, {0, 20, 4}, 1)};
   const SceneView<float> view = scene.view();
   const auto expect = [&](const Vec3d& place, PrimitiveIndex primitive, const Vec3d& point, double distance) {
-    const ClosestPrimitive found = closest_primitive(view, NoGrid{}, place, {});
+    const ClosestPrimitive found = closest_primitive(view, NoStructure{}, place, {});
     EXPECT_EQ(found.primitive, primitive);
     EXPECT_EQ(found.closest.point, point);
     EXPECT_EQ(found.closest.squared, distance * distance);
@@ -121,13 +121,13 @@ TEST(ClosestPoint, OfKnownPlaces) {
   expect({-3, -4, 0}, 0, {0, 0, 0}, 5);
   expect({11.5, 0, 0}, 2, {11, 0, 0}, 0.5);
   expect({13, 0, 0}, 3, {12, 0, 0}, 1); // inside
-  const ClosestPrimitive on_axis = closest_primitive(view, NoGrid{}, {0, 20, 2}, {});
+  const ClosestPrimitive on_axis = closest_primitive(view, NoStructure{}, {0, 20, 2}, {});
   EXPECT_EQ(on_axis.primitive, 4U);
   EXPECT_EQ(on_axis.closest.squared, 1);
   const ClosestPoint near_center = closest_point(Sphere<double>{{0, 0, 0}, 1}, {0x1p-540, 0, -0x1p-540});
   EXPECT_NEAR(length(near_center.point), 1, 0x1p-50);
-  EXPECT_EQ(closest_primitive(view, NoGrid{}, {NAN, 0, 0}, {}).primitive, no_primitive);
-  EXPECT_EQ(closest_primitive(view, NoGrid{}, {0, INFINITY, 0}, {}).primitive, no_primitive);
+  EXPECT_EQ(closest_primitive(view, NoStructure{}, {NAN, 0, 0}, {}).primitive, no_primitive);
+  EXPECT_EQ(closest_primitive(view, NoStructure{}, {0, INFINITY, 0}, {}).primitive, no_primitive);
 }
 
 } // namespace

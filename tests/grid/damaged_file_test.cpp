@@ -71,16 +71,16 @@ std::unique_ptr<T> opened(const std::string& path) {
 }
 
 void build_and_trace(const SceneFile& scene, Overlap overlap, const std::string& path) {
-  for (const GridKind kind :
-       {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy}) {
+  for (const StructureKind kind : {StructureKind::uniform, StructureKind::x, StructureKind::balance,
+                                   StructureKind::irregular, StructureKind::hierarchy}) {
     try {
       build_a_little(scene, overlap, kind, path);
     } catch (const Error&) { // the space can't be divided
       return;
     }
-    const std::unique_ptr<GridFile> grid = opened<GridFile>(path);
+    const std::unique_ptr<StructureFile> grid = opened<StructureFile>(path);
     if (grid == nullptr) { // the space is too large for its store
-      ASSERT_EQ(kind, GridKind::uniform);
+      ASSERT_EQ(kind, StructureKind::uniform);
       return;
     }
     trace_a_little(scene, grid.get());
@@ -108,7 +108,7 @@ TEST_F(DamagedFile, ASceneThatOpensCanBeTraced) {
   }
 }
 
-void describe(const GridFile& file) {
+void describe(const StructureFile& file) {
   if (file.is_hierarchy()) return static_cast<void>(hierarchy_statistics(file.nodes()));
   static_cast<void>(file.is_merged() ? grid_statistics(file.merged_view<double>(), file.cells())
                                      : grid_statistics(file.view<double>(), file.references()));
@@ -121,13 +121,13 @@ TEST_F(DamagedFile, AGridThatOpensCanBeTraced) {
   for (const Store store : {Store::float32, Store::float64}) {
     write_scene(tiny_scene(), store, scene_path);
     const SceneFile scene(scene_path);
-    for (const Grid& made : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid(), tiny_hierarchy()}) {
-      write_grid(made, tiny_grid_provenance(scene.geometry_hash()), path);
+    for (const Structure& made : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid(), tiny_hierarchy()}) {
+      write_structure(made, tiny_grid_provenance(scene.geometry_hash()), path);
       const GridParts parts(path);
       int open = 0;
       for (int i = 0; i < cases; ++i) {
         damaged(parts, random).write(path);
-        const auto grid = opened<GridFile>(path);
+        const auto grid = opened<StructureFile>(path);
         if (grid == nullptr) continue;
         ++open;
         describe(*grid);

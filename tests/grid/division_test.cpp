@@ -165,7 +165,7 @@ TEST_F(CostModel, ExpectsAboutTheReferencesThatAreMade) {
     const auto layout = layout_in<float>(scene.bounds(), random_division(chance_, 40));
     const SceneView<float> view = scene.view();
     const double expected = expected_references(division_statistics(view).all, layout);
-    const auto made = static_cast<double>(build_grid(view, layout, Overlap::exact).references.size());
+    const auto made = static_cast<double>(build_structure(view, layout, Overlap::exact).references.size());
     EXPECT_GT(expected, made * 0.85) << layout.division.x << ' ' << layout.division.y << ' '
                                      << layout.division.z;
     EXPECT_LT(expected, made * 1.25) << layout.division.x << ' ' << layout.division.y << ' '
@@ -186,7 +186,7 @@ TEST_F(CostModel, ExpectsTheReferencesThatTheMarginMakes) {
     const auto most = static_cast<int>(std::min(40.0, 4 / rounding_margin<float>(scene.bounds())));
     const auto layout = layout_in<float>(scene.bounds(), random_division(chance_, std::max(2, most)));
     const double expected = expected_references(division_statistics(view).all, layout);
-    const auto made = static_cast<double>(build_grid(view, layout, Overlap::exact).references.size());
+    const auto made = static_cast<double>(build_structure(view, layout, Overlap::exact).references.size());
     EXPECT_GT(expected, made * 0.8) << "size " << size << " at " << far;
     EXPECT_LT(expected, made * 1.6) << "size " << size << " at " << far;
   }

@@ -23,16 +23,17 @@ protected:
       scene_.triangles.push_back(triangle_of(near(), near(), near()));
     }
   }
-  Grid built(const BuildOptions& options, const std::function<void(double)>& progress) {
+  Structure built(const BuildOptions& options, const std::function<void(double)>& progress) {
     return build_chosen(*cpu_builder(scene_.view(), progress), {scene_.bounds(), Hash{1, 2}}, options).grid;
   }
   std::vector<BuildOptions> all_options() const {
     std::vector<BuildOptions> all;
-    for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
-                                GridKind::hierarchy, GridKind::automatic, GridKind::fastest})
-      all.emplace_back().grid.kind = kind;
-    all.emplace_back().grid = {GridKind::hierarchy};
-    all.back().grid.quality = HierarchyQuality::fast;
+    for (const StructureKind kind :
+         {StructureKind::uniform, StructureKind::x, StructureKind::balance, StructureKind::irregular,
+          StructureKind::hierarchy, StructureKind::automatic, StructureKind::fastest})
+      all.emplace_back().structure.kind = kind;
+    all.emplace_back().structure = {StructureKind::hierarchy};
+    all.back().structure.quality = HierarchyQuality::fast;
     return all;
   }
 
@@ -42,10 +43,10 @@ TYPED_TEST_SUITE(EndedBuild, Reals);
 
 TYPED_TEST(EndedBuild, ThrowsWhatItsProgressThrowsAndTheNextIsAsEver) {
   for (const BuildOptions& options : this->all_options()) {
-    SCOPED_TRACE(static_cast<int>(options.grid.kind));
+    SCOPED_TRACE(static_cast<int>(options.structure.kind));
     std::atomic<int> reports = 0;
     std::atomic<bool> in_range = true;
-    const Grid expected = this->built(options, {});
+    const Structure expected = this->built(options, {});
     expect_same(expected, this->built(options, [&](double done) {
       ++reports;
       if (!(done >= 0 && done <= 1)) in_range = false;
@@ -66,7 +67,7 @@ TYPED_TEST(EndedBuild, ThrowsWhatItsProgressThrowsAndTheNextIsAsEver) {
 
 TYPED_TEST(EndedBuild, SharesOfWhatIsDoneRise) {
   for (const BuildOptions& options : this->all_options()) {
-    SCOPED_TRACE(static_cast<int>(options.grid.kind));
+    SCOPED_TRACE(static_cast<int>(options.structure.kind));
     made_by_threads(1, [&] {
       double last = 0;
       this->built(options, [&](double done) {

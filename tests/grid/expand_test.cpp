@@ -28,7 +28,7 @@ std::array<std::array<std::int32_t, 2>, 3> ranges_of(const MergedCell& cell) {
 // A face moves as far as all its neighbours let it; one that once couldn't, never does again.
 class SlowExpander {
 public:
-  explicit SlowExpander(Grid& grid) : grid_(grid), own_(grid.cells), blocked_(grid.cells.size()) {}
+  explicit SlowExpander(Structure& grid) : grid_(grid), own_(grid.cells), blocked_(grid.cells.size()) {}
   int gave_up = 0; // faces of more than max_visits
 
   void pass() {
@@ -80,7 +80,7 @@ private:
     return true;
   }
 
-  Grid& grid_;
+  Structure& grid_;
   HostArray<MergedCell> own_;
   std::vector<std::array<bool, 6>> blocked_;
 };
@@ -89,14 +89,14 @@ TEST_F(Stretch, MovesFacesAsDefined) {
   std::int64_t cells = 0, gave_up = 0;
   for (std::int64_t s = cases(150); s > 0; --s) {
     TestScene<float> scene = SceneMaker<float>(chance_, chance_.power_of_two(-10, 20)).scene();
-    GridOptions options = random_grid_options(chance_);
-    options.kind = GridKind::irregular;
+    StructureOptions options = random_grid_options(chance_);
+    options.kind = StructureKind::irregular;
     options.expansions = 0;
     GridLayout layout = random_layout<float>(chance_, scene.bounds());
     layout.division = random_division(chance_, 12);
-    Grid slow = build_grid(scene.view(), layout, any_overlap(chance_), options);
+    Structure slow = build_structure(scene.view(), layout, any_overlap(chance_), options);
     const int rounds = chance_.whole(0, 5);
-    Grid fast = slow;
+    Structure fast = slow;
     TbbExecutor executor;
     expand_cells(executor, merged_view_of<double>(fast), fast.cells.size(), fast.cells.data(), rounds);
     SlowExpander expander(slow);

@@ -192,7 +192,7 @@ TYPED_TEST(FarRay, FindsTheOraclesNearestHit) {
       ++results[expected.result];
       if (expected.result == oracle::Result::unsure) continue;
       NoCounts counts;
-      const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+      const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoStructure{}, ray, counts);
       // t from far away is rounded once or twice more.
       const oracle::Wide rounding = 4 * oracle::Wide(hit.t) * RealTraits<Real>::unit_roundoff;
       expect_agreement(expected, hit.primitive != no_primitive, hit.t, rounding,
@@ -224,7 +224,7 @@ TEST_F(FarListedRay, FindsTheOraclesNearestHitFromAnyDistance) {
       if (expected.result == oracle::Result::unsure) continue;
       NoCounts counts;
       const Hit<float> hit =
-          trace_listed<Query::nearest_hit, Robust<float>>(view, NoGrid{}, listed.ray, counts);
+          trace_listed<Query::nearest_hit, Robust<float>>(view, NoStructure{}, listed.ray, counts);
       const double t = static_cast<double>(hit.t) + listed.skipped;
       const oracle::Wide rounding = 4 * oracle::Wide(hit.t) * RealTraits<float>::unit_roundoff +
                                     4 * oracle::Wide(t) * RealTraits<double>::unit_roundoff;
@@ -295,7 +295,7 @@ TYPED_TEST(FarRay, SurfacePointsAreAccurate) {
     for (int i = 0; i < 8; ++i) {
       const Ray<Real> ray = far_ray<Real>(chance, bounds, 12);
       NoCounts counts;
-      const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+      const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoStructure{}, ray, counts);
       if (hit.primitive == no_primitive) continue;
       const oracle::Line line = oracle::line(ray.origin, ray.direction);
       const SurfacePoint<Real> point = surface_at<with_all_kinds>(view, hit_again(view, ray, hit));

@@ -28,7 +28,8 @@ const std::map<std::string_view, const char*> golden_bytes{{"scene_float32", gol
 
 class GoldenFile : public testing::TestWithParam<TinyFile> {};
 
-// To accept a new format: raise the version (scene_file_kind, grid_file_kind), then paste the test's output.
+// To accept a new format: raise the version (scene_file_kind, structure_file_kind), then paste the test's
+// output.
 TEST_P(GoldenFile, IsWrittenByteForByte) {
   const TemporaryFolder folder;
   const std::string path = folder.file("file");
@@ -131,17 +132,17 @@ TEST(GoldenFileReading, Float64SceneIsRead) {
   expect_tiny_scene<double>(file);
 }
 
-void expect_grid(const GridFile& file, const Grid& grid) {
+void expect_grid(const StructureFile& file, const Structure& grid) {
   EXPECT_NO_THROW(file.check_geometry(golden_geometry_hash, tiny_scene_primitives));
   EXPECT_EQ(file.table().primitives(), tiny_scene_primitives);
   EXPECT_EQ(file.table().block_log2(), static_cast<std::uint32_t>(grid.block_log2));
   EXPECT_EQ(file.table().space_rule(), fb::Space::tight);
   EXPECT_EQ(file.table().overlap(), fb::Overlap::exact);
   EXPECT_EQ(file.table().nested_log2(), static_cast<std::uint32_t>(grid.nested_log2));
-  EXPECT_EQ(file.table().merge(), static_cast<fb::Merge>(grid.kind));
-  EXPECT_EQ(file.table().merge_rule()->str(), file.is_merged()      ? "irregular"
-                                              : file.is_hierarchy() ? "bvh"
-                                                                    : "");
+  EXPECT_EQ(file.is_hierarchy(), grid.kind == StructureKind::hierarchy);
+  EXPECT_EQ(file.table().merge(), file.is_hierarchy() ? fb::Merge::none : static_cast<fb::Merge>(grid.kind));
+  EXPECT_EQ(file.table().merge_rule()->str(), file.is_merged() ? "irregular" : "");
+  EXPECT_EQ(file.quality(), HierarchyQuality::high);
   EXPECT_EQ(file.table().division_rule()->str(), "2x2x1");
   EXPECT_EQ(file.table().build_seconds(), -1);
   EXPECT_EQ(file.layout().division, grid.layout.division);
@@ -156,12 +157,12 @@ void expect_grid(const GridFile& file, const Grid& grid) {
 
 TEST(GoldenFileReading, GridIsRead) {
   const TemporaryFolder folder;
-  expect_grid(GridFile(written_golden(folder, golden_grid)), tiny_grid());
+  expect_grid(StructureFile(written_golden(folder, golden_grid)), tiny_grid());
 }
 
 TEST(GoldenFileReading, GridOfBlocksIsRead) {
   const TemporaryFolder folder;
-  const GridFile file(written_golden(folder, golden_grid_of_blocks));
+  const StructureFile file(written_golden(folder, golden_grid_of_blocks));
   expect_grid(file, tiny_grid_of_blocks());
   const GridView<float> view = file.view<float>();
   EXPECT_EQ(look_up(view, {0, 0, 0}).word, occupied_bit | 0);
@@ -173,7 +174,7 @@ TEST(GoldenFileReading, GridOfBlocksIsRead) {
 
 TEST(GoldenFileReading, MergedGridIsRead) {
   const TemporaryFolder folder;
-  const GridFile file(written_golden(folder, golden_merged_grid));
+  const StructureFile file(written_golden(folder, golden_merged_grid));
   expect_grid(file, tiny_merged_grid());
   const MergedGridView<float> view = file.merged_view<float>();
   EXPECT_EQ(view.division, (Vec3i{8, 4, 4}));
@@ -193,7 +194,7 @@ TEST(GoldenFileReading, MergedGridIsRead) {
 
 TEST(GoldenFileReading, HierarchyIsRead) {
   const TemporaryFolder folder;
-  const GridFile file(written_golden(folder, golden_hierarchy));
+  const StructureFile file(written_golden(folder, golden_hierarchy));
   expect_grid(file, tiny_hierarchy());
   EXPECT_TRUE(file.is_hierarchy());
   EXPECT_FALSE(file.is_merged());
@@ -210,7 +211,7 @@ TEST(GoldenFileReading, AnOlderVersionIsRefused) {
   Bytes bytes = bytes_of_hex_lines(golden_grid);
   bytes[8] = 3;
   write_bytes(path, bytes);
-  EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path,
+  EXPECT_TRUE(is_refused([](const std::string& name) { const StructureFile file(name); }, path,
                          "build it again with gridbuild"));
 }
 

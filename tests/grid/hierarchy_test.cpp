@@ -30,7 +30,7 @@ Boxd common(const Boxd& a, const Boxd& b) {
 }
 
 // Of each primitive, for each reference to it, what is common to all boxes on the way to it.
-std::vector<std::vector<Boxd>> boxes_of_primitives(const Grid& grid, std::uint32_t primitives) {
+std::vector<std::vector<Boxd>> boxes_of_primitives(const Structure& grid, std::uint32_t primitives) {
   std::vector<std::vector<Boxd>> boxes(primitives);
   constexpr Boxd everywhere{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
   const std::function<void(std::uint32_t, const Boxd&)> descend = [&](std::uint32_t number,
@@ -62,7 +62,7 @@ TYPED_TEST(BuiltHierarchy, HoldsEveryPartOfEveryPrimitiveWithItsMargin) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(500); s > 0 && !this->HasFailure(); --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
+    const Structure grid = hierarchy_of(scene, any_quality(chance));
     const SceneView<Stored> view = scene.view();
     const auto boxes = boxes_of_primitives(grid, scene.count());
     const double unsure = 1e-12 * largest_magnitude(scene.bounds()); // rounding of this test's own points
@@ -99,7 +99,7 @@ TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTrianglesAlone) {
   const PrimitiveIndex slanted = scene.count();
   for (int i = 0; i < 10; ++i)
     add(chance.in_cube(1), {0.7, 0.6, 0.5}, chance.in_cube(0.01));
-  const Grid grid = hierarchy_of(scene, HierarchyQuality::fast);
+  const Structure grid = hierarchy_of(scene, HierarchyQuality::fast);
   std::vector<std::uint32_t> parts(scene.count(), 0);
   for (const PrimitiveIndex reference : grid.references)
     ++parts.at(reference);
@@ -115,10 +115,9 @@ TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpened) {
   const std::string path = folder.file("a.grid");
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
-    write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
-               path);
-    const GridFile file(path);
+    const Structure grid = hierarchy_of(scene, any_quality(chance));
+    write_structure(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto"}, path);
+    const StructureFile file(path);
     ASSERT_TRUE(file.is_hierarchy());
     EXPECT_FALSE(file.is_merged());
     EXPECT_TRUE(same_values(file.references(), grid.references));
@@ -140,13 +139,12 @@ TYPED_TEST(BuiltHierarchy, IsNeverTooDeepForTheWalk) {
             scene.spheres.push_back(sphere_of<TypeParam>({at, at, at}, at / 64));
         SCOPED_TRACE(testing::Message() << ratio << ", " << copies << " copies from " << largest);
         for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
-          const Grid grid = hierarchy_of(scene, quality);
+          const Structure grid = hierarchy_of(scene, quality);
           EXPECT_LE(hierarchy_statistics(grid.nodes).depth, max_hierarchy_depth);
           EXPECT_EQ(grid.references.size(), scene.count());
-          write_grid(grid,
-                     {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
-                     path);
-          EXPECT_NO_THROW(const GridFile file(path));
+          write_structure(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto"},
+                          path);
+          EXPECT_NO_THROW(const StructureFile file(path));
         }
       }
     }
@@ -157,11 +155,11 @@ TYPED_TEST(BuiltHierarchy, RefittedWhereNothingMovedIsTheSameBytes) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
+    const Structure grid = hierarchy_of(scene, any_quality(chance));
     std::vector<PrimitiveIndex> listed(grid.references.begin(), grid.references.end());
     std::ranges::sort(listed);
     if (std::ranges::adjacent_find(listed) != listed.end()) continue; // something is divided
-    Grid again = grid;
+    Structure again = grid;
     ASSERT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), again));
     expect_same(grid, again);
     ASSERT_FALSE(this->HasFailure()) << described(scene);
@@ -174,7 +172,7 @@ TYPED_TEST(BuiltHierarchy, RefittedHoldsEachPrimitiveWhole) {
   std::int64_t divided = 0;
   for (std::int64_t s = cases(200); s > 0 && !this->HasFailure(); --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    Grid grid = hierarchy_of(scene, any_quality(chance));
+    Structure grid = hierarchy_of(scene, any_quality(chance));
     divided += grid.references.size() > scene.count();
     const PrimitiveIndex count = scene.count();
     move_primitives(chance, scene, chance.power_of_two(-10, 1));
@@ -199,11 +197,11 @@ TYPED_TEST(BuiltHierarchy, IsNotRefittedWhereAPrimitiveGetsASurface) {
   const Vec3<TypeParam> a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
   scene.triangles.push_back(triangle_of(a, a, a));
   for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
-    Grid grid = hierarchy_of(scene, quality);
+    Structure grid = hierarchy_of(scene, quality);
     EXPECT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), grid));
     TestScene<TypeParam> moved = scene;
     moved.triangles.back() = triangle_of(a, b, c);
-    const Grid before = grid;
+    const Structure before = grid;
     EXPECT_FALSE(refit_hierarchy(moved.view(), hierarchy_layout(moved), grid));
     expect_same(before, grid);
     grid = hierarchy_of(moved, quality); // and back: one that has lost its surface stays
@@ -215,7 +213,7 @@ TYPED_TEST(BuiltHierarchy, StatisticsCountWhatIsThere) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
+    const Structure grid = hierarchy_of(scene, any_quality(chance));
     const HierarchyStatistics counted = hierarchy_statistics(grid.nodes);
     EXPECT_EQ(counted.nodes, grid.nodes.size());
     EXPECT_EQ(counted.node_boxes + 1, counted.nodes); // all but the root are in a box
@@ -283,7 +281,7 @@ TYPED_TEST(BuiltHierarchy, BoxesMetAreTheSameOneByOne) {
     TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
     const Boxd bounds = scene.bounds();
     const SceneView<Real> view = scene.view();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
+    const Structure grid = hierarchy_of(scene, any_quality(chance));
     RayMaker<Real> rays(chance, scene, bounds, grid);
     for (int i = 0; i < 200; ++i) {
       ClippedRay<Real> near{};

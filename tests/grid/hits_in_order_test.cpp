@@ -29,8 +29,8 @@ struct Crossing {
 template <class Real>
 using List = std::vector<Crossing<Real>>;
 
-template <class Real, class Stored, class Grid>
-List<Real> listed(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
+template <class Real, class Stored, class Structure>
+List<Real> listed(const SceneView<Stored>& scene, const Structure& grid, const Ray<Real>& ray,
                   const HitFilter& filter, std::uint32_t limit = no_primitive) {
   List<Real> list;
   const std::uint32_t count = hits_in_order<Robust<Real>>(
@@ -90,9 +90,10 @@ protected:
   std::vector<std::uint32_t> masks_ = std::vector<std::uint32_t>(5);
   // Through a random grid and a hierarchy, as they are and as structures known when they are traced.
   template <class Act>
-  void with_structures(TestScene<Real>& scene, const Grid& grid, const Grid& hierarchy, const Act& act) {
-    for (const Grid* const structure : {&grid, &hierarchy}) {
-      with_grid_view<Real>(*structure, act);
+  void with_structures(TestScene<Real>& scene, const Structure& grid, const Structure& hierarchy,
+                       const Act& act) {
+    for (const Structure* const structure : {&grid, &hierarchy}) {
+      with_structure_view<Real>(*structure, act);
       act(any_structure<Real>(*structure));
     }
     act(AnyStructure<Real>{});
@@ -120,14 +121,14 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
     const SceneView<Real> view = scene.view();
     this->number_objects(scene);
     const Boxd bounds = scene.bounds();
-    const Grid grid = random_grid(chance, view, bounds), hierarchy = hierarchy_of(scene);
+    const Structure grid = random_grid(chance, view, bounds), hierarchy = hierarchy_of(scene);
     RayMaker<Real> rays(chance, scene, bounds, grid);
     for (int r = 0; r < 60; ++r) {
       const Ray<Real> ray = rays.ray();
       const HitFilter filter = this->filter(view);
       const List<Real> expected = tried(view, ray, filter);
       NoCounts counts;
-      const Hit<Real> nearest = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+      const Hit<Real> nearest = nearest_hit<Robust<Real>>(view, NoStructure{}, ray, counts);
       const List<Real> all = tried(view, ray, {Faces::both, EdgeRule::closed});
       ASSERT_EQ(all.empty(), nearest.primitive == no_primitive) << described(ray.origin, ray.direction);
       ASSERT_TRUE(all.empty() || (same_bits(all[0].t, nearest.t) && all[0].primitive == nearest.primitive))
@@ -155,7 +156,7 @@ struct CountedTrials {
 template <class Real, class Visitor>
 void visit(const CountedTrials& trials, const ClippedRay<Real>& near, std::uint32_t primitives,
            Visitor& visitor) {
-  visit(NoGrid{}, near, primitives, visitor);
+  visit(NoStructure{}, near, primitives, visitor);
   *trials.shown += primitives;
 }
 
@@ -193,7 +194,7 @@ TYPED_TEST(HitsInOrder, CrossAClosedMeshAsOftenInwardsAsOutwards) {
     const std::span<const Triangle<Real>> triangles(scene.triangles);
     ASSERT_TRUE(is_closed(triangles));
     const SceneView<Real> view = scene.view();
-    const Grid grid = random_grid(chance, view, scene.bounds());
+    const Structure grid = random_grid(chance, view, scene.bounds());
     with_view<Real>(grid, [&](const auto& structure) {
       for (int r = 0; r < 200; ++r) {
         const Ray<Real> ray = crossing_ray<Real>(chance, triangles, size);
@@ -238,7 +239,7 @@ TYPED_TEST(HitsInOrder, TellPointsInsideAClosedMesh) {
         if (chance.one_in(2)) direction = cast<double>(cast<int>(chance.in_cube(2.9)));
         if (largest_magnitude(direction) == 0) direction = {0, 1, 0};
         const Ray<Real> ray = unbounded_ray(cast<Real>(point), cast<Real>(direction));
-        ASSERT_EQ(listed(view, NoGrid{}, ray, {}).size() % 2 != 0, is_inside)
+        ASSERT_EQ(listed(view, NoStructure{}, ray, {}).size() % 2 != 0, is_inside)
             << described(ray.origin, ray.direction);
       }
     }
@@ -254,7 +255,7 @@ TYPED_TEST(HitsInOrder, EnterAndLeaveSpheresAndCones) {
   scene.cones = {cone_of<Real>({0, -1, 5}, 1, {0, 1, 5}, 1),
                  cone_of<Real>({0, -1, 10}, -2, {0, 1, 10}, -0.5)};
   const auto hits = [&](Real from) {
-    return listed(scene.view(), NoGrid{}, unbounded_ray<Real>({0, 0, from}, {0, 0, 1}), {});
+    return listed(scene.view(), NoStructure{}, unbounded_ray<Real>({0, 0, from}, {0, 0, 1}), {});
   };
   // Of the negative radii the inside alone is visible, and is the front.
   const List<Real> all = hits(-5), expected = {{4, 0, true}, {6, 0, false},  {7, 1, true},

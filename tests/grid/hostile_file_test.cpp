@@ -11,8 +11,8 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-using fb::GridSection;
 using fb::SceneSection;
+using fb::StructureSection;
 
 using G = GridParts;
 using P = SceneParts;
@@ -267,30 +267,30 @@ WrongGrid space(const char* name, const fb::Box& box) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lists, HostileGrid,
-    testing::Values(word("LastWithoutEnd", GridSection::references, 4, 2),
-                    word("SharedByVoxels", GridSection::voxel_map, 0, occupied_bit | 1),
-                    without("None", GridSection::references),
-                    word("OneMoreWithoutEnd", GridSection::references, 5, 0),
-                    word("SeveralMoreWithoutEnd", GridSection::references, 9, 0),
-                    word("ReferenceBeyond", GridSection::references, 1, 4),
-                    word("LastReferenceBeyond", GridSection::references, 2, 4 | last_bit),
-                    word("ReferenceFarBeyond", GridSection::references, 1, 0x7fffffff),
-                    word("ReferenceToNoPrimitive", GridSection::references, 0, no_primitive),
+    testing::Values(word("LastWithoutEnd", StructureSection::references, 4, 2),
+                    word("SharedByVoxels", StructureSection::voxel_map, 0, occupied_bit | 1),
+                    without("None", StructureSection::references),
+                    word("OneMoreWithoutEnd", StructureSection::references, 5, 0),
+                    word("SeveralMoreWithoutEnd", StructureSection::references, 9, 0),
+                    word("ReferenceBeyond", StructureSection::references, 1, 4),
+                    word("LastReferenceBeyond", StructureSection::references, 2, 4 | last_bit),
+                    word("ReferenceFarBeyond", StructureSection::references, 1, 0x7fffffff),
+                    word("ReferenceToNoPrimitive", StructureSection::references, 0, no_primitive),
                     set("OfASceneWithFewerPrimitives", &G::primitives, 3),
                     set("OfASceneWithNone", &G::primitives, 0),
                     set("OriginNaN", &G::origin, fb::Vec3(nan, 0, 0)),
                     set("OriginTooFar", &G::origin, fb::Vec3(0, 1e300, 0)), merged_as("OfAMergedGrid", 2),
-                    merged_as("OfAnUnknownMerge", 5)),
+                    merged_as("OfAnUnknownMerge", 4), structured_as("OfAHierarchy", 1)),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Map, HostileGrid,
-    testing::Values(word("ListBeyond", GridSection::voxel_map, 1, occupied_bit | 5),
-                    word("ListFarBeyond", GridSection::voxel_map, 3, 0xffffffff),
-                    word("EmptyWithANumber", GridSection::voxel_map, 2, 1),
-                    word("TooLarge", GridSection::voxel_map, 4, 0),
-                    resized("TooSmall", GridSection::voxel_map, 12),
-                    without("Missing", GridSection::voxel_map), blocks("InBlocks", 1),
+    testing::Values(word("ListBeyond", StructureSection::voxel_map, 1, occupied_bit | 5),
+                    word("ListFarBeyond", StructureSection::voxel_map, 3, 0xffffffff),
+                    word("EmptyWithANumber", StructureSection::voxel_map, 2, 1),
+                    word("TooLarge", StructureSection::voxel_map, 4, 0),
+                    resized("TooSmall", StructureSection::voxel_map, 12),
+                    without("Missing", StructureSection::voxel_map), blocks("InBlocks", 1),
                     blocks("InLargeBlocks", 5), blocks("InBlocksTooLarge", 6), blocks("InBlocksOf31Bits", 31),
                     blocks("InBlocksOf32Bits", 32), blocks("InBlocksOfAllBits", 0xffffffff),
                     division("DivisionZero", 0, 2, 2), division("DivisionZeroLast", 2, 2, 0),
@@ -322,19 +322,20 @@ INSTANTIATE_TEST_SUITE_P(
         table<G>("TableOfOnes", [](Bytes& bytes) { bytes.assign(bytes.size(), 0xff); })),
     by_name);
 
-INSTANTIATE_TEST_SUITE_P(Map, HostileGridOfBlocks,
-                         testing::Values(word("BlockBeyond", GridSection::voxel_map, 1, occupied_bit | 2),
-                                         word("BlockFarBeyond", GridSection::voxel_map, 0, 0xffffffff),
-                                         word("BlocksShared", GridSection::voxel_map, 1, occupied_bit | 1),
-                                         word("EmptyBlockWithANumber", GridSection::voxel_map, 1, 1),
-                                         word("ListBeyond", GridSection::voxel_map, 3, occupied_bit | 5),
-                                         word("EmptyVoxelWithANumber", GridSection::voxel_map, 5, 2),
-                                         word("OneWordTooMany", GridSection::voxel_map, 19, 0),
-                                         resized("OneWordTooFew", GridSection::voxel_map, 18 * 4),
-                                         resized("NoBlockMaps", GridSection::voxel_map, 3 * 4),
-                                         resized("FewerWordsThanBlocks", GridSection::voxel_map, 2 * 4),
-                                         blocks("NotInBlocks", 0), blocks("InLargerBlocks", 2)),
-                         by_name);
+INSTANTIATE_TEST_SUITE_P(
+    Map, HostileGridOfBlocks,
+    testing::Values(word("BlockBeyond", StructureSection::voxel_map, 1, occupied_bit | 2),
+                    word("BlockFarBeyond", StructureSection::voxel_map, 0, 0xffffffff),
+                    word("BlocksShared", StructureSection::voxel_map, 1, occupied_bit | 1),
+                    word("EmptyBlockWithANumber", StructureSection::voxel_map, 1, 1),
+                    word("ListBeyond", StructureSection::voxel_map, 3, occupied_bit | 5),
+                    word("EmptyVoxelWithANumber", StructureSection::voxel_map, 5, 2),
+                    word("OneWordTooMany", StructureSection::voxel_map, 19, 0),
+                    resized("OneWordTooFew", StructureSection::voxel_map, 18 * 4),
+                    resized("NoBlockMaps", StructureSection::voxel_map, 3 * 4),
+                    resized("FewerWordsThanBlocks", StructureSection::voxel_map, 2 * 4),
+                    blocks("NotInBlocks", 0), blocks("InLargerBlocks", 2)),
+    by_name);
 
 } // namespace
 } // namespace masu

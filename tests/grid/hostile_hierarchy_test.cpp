@@ -10,16 +10,16 @@
 namespace masu {
 namespace {
 
-using fb::GridSection;
+using fb::StructureSection;
 
 class HostileHierarchy : public testing::TestWithParam<WrongGrid> {};
 
 TEST_P(HostileHierarchy, IsRefused) {
-  expect_grid_refused(tiny_hierarchy(), "bvh", GetParam());
+  expect_grid_refused(tiny_hierarchy(), "", GetParam());
 }
 
 WrongGrid node(const char* name, std::size_t i, const std::function<void(HierarchyNode&)>& change) {
-  return {name, [=](GridParts& p) { p.section(GridSection::nodes).edit<HierarchyNode>(i, change); }};
+  return {name, [=](GridParts& p) { p.section(StructureSection::nodes).edit<HierarchyNode>(i, change); }};
 }
 WrongGrid slot(const char* name, std::size_t i, int slot, std::uint32_t value) {
   return node(name, i, [=](HierarchyNode& n) {
@@ -36,7 +36,7 @@ WrongGrid first_node(const char* name, std::size_t i, std::uint32_t value) {
 WrongGrid first_reference(const char* name, std::size_t i, std::uint32_t value) {
   return node(name, i, [=](HierarchyNode& n) { n.first_reference = value; });
 }
-WrongGrid with_section(const char* name, GridSection kind, std::uint32_t record_bytes) {
+WrongGrid with_section(const char* name, StructureSection kind, std::uint32_t record_bytes) {
   return {name, [=](GridParts& p) {
             p.sections.push_back({static_cast<std::uint32_t>(kind), record_bytes, Bytes(record_bytes)});
             std::ranges::sort(p.sections, {}, &SectionBytes::kind);
@@ -79,12 +79,14 @@ INSTANTIATE_TEST_SUITE_P(
                          }),
                     slot("SlotOfAnother", 0, 6, node_slot | 5), slot("NodeWithTwoBits", 0, 6, 0x78 | 6),
                     slot("NodeWithoutItsBit", 0, 6, 0x18 | 6), slot("ReferencesAsANode", 0, 1, 0x38 | 1),
-                    without("None", GridSection::nodes), with_section("AVoxelMap", GridSection::voxel_map, 4),
-                    with_section("Cells", GridSection::cells, 16), division("Divided", 2, 1, 1),
-                    resized("OneNodeTooMany", GridSection::nodes, 3 * sizeof(HierarchyNode)),
-                    resized("OneNodeTooFew", GridSection::nodes, sizeof(HierarchyNode)),
-                    merged_as("OfAUniformGrid", 0), merged_as("OfAnIrregularGrid", 3),
-                    merged_as("MergedInNoKnownWay", 5)),
+                    without("None", StructureSection::nodes),
+                    with_section("AVoxelMap", StructureSection::voxel_map, 4),
+                    with_section("Cells", StructureSection::cells, 16), division("Divided", 2, 1, 1),
+                    resized("OneNodeTooMany", StructureSection::nodes, 3 * sizeof(HierarchyNode)),
+                    resized("OneNodeTooFew", StructureSection::nodes, sizeof(HierarchyNode)),
+                    structured_as("OfAUniformGrid", 0), merged_as("OfAnIrregularGrid", 3),
+                    merged_as("MergedInNoKnownWay", 4), structured_as("OfNoKnownStructure", 2),
+                    set("OfNoKnownQuality", &GridParts::quality, static_cast<fb::Quality>(2))),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -94,15 +96,15 @@ INSTANTIATE_TEST_SUITE_P(
                     slot("ThirdAlone", 1, 5, 4 << 5 | 1), slot("AtTheLastBit", 1, 5, 1 << 5 | 23),
                     slot("AtTheNodesBits", 1, 5, 7 << 5 | 22), slot("BeyondTheNodesBits", 1, 5, 7 << 5 | 23),
                     slot("BeyondAllBits", 1, 5, 1 << 5 | 31), slot("OfNoneAmongTheNodes", 1, 5, 24),
-                    word("PrimitiveBeyond", GridSection::references, 1, 4),
-                    word("WithAListsEnd", GridSection::references, 3, 3 | last_bit),
-                    without("Missing", GridSection::references),
+                    word("PrimitiveBeyond", StructureSection::references, 1, 4),
+                    word("WithAListsEnd", StructureSection::references, 3, 3 | last_bit),
+                    without("Missing", StructureSection::references),
                     set("OfASceneWithFewerPrimitives", &GridParts::primitives, 3)),
     by_name);
 
 // A chain of nodes, each in a slot of the one before.
-Grid chain(int depth) {
-  Grid grid = tiny_hierarchy();
+Structure chain(int depth) {
+  Structure grid = tiny_hierarchy();
   HierarchyNode link = grid.nodes[0];
   link.slots[0] = 0;
   link.first_reference = 2;
@@ -116,18 +118,18 @@ Grid chain(int depth) {
 TEST(HostileHierarchyDepth, IsRefusedBeyondTheWalksStack) {
   const TemporaryFolder folder;
   const std::string path = folder.file("deep.grid");
-  write_grid(chain(max_hierarchy_depth), tiny_grid_provenance({1, 2}, "bvh"), path);
-  EXPECT_NO_THROW(const GridFile file(path));
+  write_structure(chain(max_hierarchy_depth), tiny_grid_provenance({1, 2}), path);
+  EXPECT_NO_THROW(const StructureFile file(path));
   for (const int depth : {max_hierarchy_depth + 1, 1000, 100'000}) {
-    write_grid(chain(depth), tiny_grid_provenance({1, 2}, "bvh"), path);
-    EXPECT_TRUE(is_refused_as<GridFile>(path)) << depth;
+    write_structure(chain(depth), tiny_grid_provenance({1, 2}), path);
+    EXPECT_TRUE(is_refused_as<StructureFile>(path)) << depth;
   }
 }
 
 using DamagedHierarchy = RandomTest;
 
 TEST_F(DamagedHierarchy, AnyFlippedBitIsRefusedOrHarmless) {
-  const auto [opened, refused] = with_any_flipped_bit(tiny_hierarchy(), "bvh");
+  const auto [opened, refused] = with_any_flipped_bit(tiny_hierarchy(), "");
   EXPECT_GT(opened, 500); // planes may be anything
   EXPECT_GT(refused, 200);
 }
@@ -148,15 +150,15 @@ TEST_F(DamagedHierarchy, OfManyNodesIsRefusedOrHarmless) {
   const std::string scene_path = folder.file("scene"), path = folder.file("grid");
   write_scene(scene_of_spheres(chance_), Store::float32, scene_path);
   const SceneFile scene(scene_path);
-  build_a_little(scene, Overlap::exact, GridKind::hierarchy, path);
+  build_a_little(scene, Overlap::exact, StructureKind::hierarchy, path);
   const GridParts parts(path);
-  const GridFile whole(path);
+  const StructureFile whole(path);
   OpenedAndRefused count;
   ASSERT_GT(whole.nodes().size(), 20U);
   const auto numbers = static_cast<std::uint32_t>(whole.nodes().size() + whole.references().size());
   for (int i = 0; i < 1500; ++i) {
     GridParts spoilt = parts;
-    SectionBytes& nodes = spoilt.section(GridSection::nodes);
+    SectionBytes& nodes = spoilt.section(StructureSection::nodes);
     for (std::uint64_t changes = 1 + random() % 3; changes > 0; --changes) {
       nodes.edit<HierarchyNode>(random() % whole.nodes().size(), [&](HierarchyNode& n) {
         const auto bits = static_cast<std::uint32_t>(random());

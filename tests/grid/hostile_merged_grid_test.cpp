@@ -5,7 +5,7 @@
 namespace masu {
 namespace {
 
-using fb::GridSection;
+using fb::StructureSection;
 
 constexpr const char* merge_rule = "irregular";
 
@@ -20,14 +20,14 @@ TEST(UncheckedGrid, IsRefusedByTheCpuBeforeTracing) {
 }
 
 WrongGrid map(const char* name, std::size_t i, std::uint32_t value) {
-  return word(name, GridSection::voxel_map, i, value);
+  return word(name, StructureSection::voxel_map, i, value);
 }
 WrongGrid map_of(const char* name, std::size_t words) {
-  return resized(name, GridSection::voxel_map, 4 * words);
+  return resized(name, StructureSection::voxel_map, 4 * words);
 }
 // axis 3: the list of references.
 WrongGrid cell(const char* name, std::size_t i, std::size_t axis, std::uint32_t value) {
-  return word(name, GridSection::cells, 4 * i + axis, value);
+  return word(name, StructureSection::cells, 4 * i + axis, value);
 }
 std::uint32_t range(std::uint32_t first, std::uint32_t end) {
   return first | end << 16;
@@ -52,8 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
         map("MapOfItself", 8, divided(8, 1)), map("MapOfTheTop", 8, divided(0, 1)),
         map("MapForASingleVoxel", 16, divided(8, 1)), map("MapOfItselfForASingleVoxel", 16, divided(16, 1)),
         map("TheSameMapTwice", 1, divided(8, 1)), map_of("OneWordTooFew", 23), map_of("NothingNested", 8),
-        map_of("FewerWordsThanCubes", 1), without("Missing", GridSection::voxel_map), nested("NotNested", 0),
-        nested("NestedLess", 1), nested("NestedMore", 3), nested("NestedTooMuch", 15),
+        map_of("FewerWordsThanCubes", 1), without("Missing", StructureSection::voxel_map),
+        nested("NotNested", 0), nested("NestedLess", 1), nested("NestedMore", 3), nested("NestedTooMuch", 15),
         nested("NestedBeyondNumbers", 16), nested("NestedBy31Bits", 31), nested("NestedBy32Bits", 32),
         nested("NestedByAllBits", 0xffffffff), division("OneCubeMore", 3, 1, 1),
         division("OneCubeLess", 1, 1, 1), division("OtherAxes", 1, 2, 1),
@@ -70,20 +70,21 @@ INSTANTIATE_TEST_SUITE_P(
                     cell("BoxThatBeginsLate", 3, 1, range(3, 4)), cell("BoxThatEndsEarly", 3, 1, range(2, 3)),
                     cell("BoxBeyondTheSpace", 5, 0, range(4, 9)),
                     cell("BoxFarBeyondTheSpace", 5, 2, range(0, 0xffff)),
-                    cell("BoxThatBeginsBeyond", 5, 2, range(0xffff, 4)), without("None", GridSection::cells),
-                    resized("OneTooFew", GridSection::cells, 5 * 16), merged_as("OfAUniformGrid", 0),
-                    merged_as("OfAHierarchy", 4), merged_as("MergedInNoKnownWay", 5),
+                    cell("BoxThatBeginsBeyond", 5, 2, range(0xffff, 4)),
+                    without("None", StructureSection::cells),
+                    resized("OneTooFew", StructureSection::cells, 5 * 16), merged_as("OfAUniformGrid", 0),
+                    structured_as("OfAHierarchy", 1), merged_as("MergedInNoKnownWay", 4),
                     merged_as("MergedInTheLastWay", 255)),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(Lists, HostileMergedGrid,
-                         testing::Values(word("LastWithoutEnd", GridSection::references, 4, 2),
-                                         word("SharedByCells", GridSection::cells, 3, 1),
-                                         word("ReferenceBeyond", GridSection::references, 1, 4),
-                                         word("LastReferenceBeyond", GridSection::references, 2,
+                         testing::Values(word("LastWithoutEnd", StructureSection::references, 4, 2),
+                                         word("SharedByCells", StructureSection::cells, 3, 1),
+                                         word("ReferenceBeyond", StructureSection::references, 1, 4),
+                                         word("LastReferenceBeyond", StructureSection::references, 2,
                                               4 | last_bit),
-                                         word("OneMoreWithoutEnd", GridSection::references, 5, 0),
-                                         without("None", GridSection::references),
+                                         word("OneMoreWithoutEnd", StructureSection::references, 5, 0),
+                                         without("None", StructureSection::references),
                                          set("OfASceneWithFewerPrimitives", &GridParts::primitives, 3)),
                          by_name);
 
@@ -92,7 +93,7 @@ TEST(HostileLists, SharedByAllCellsAreRefusedQuickly) {
   const TemporaryFolder folder;
   const std::string path = folder.file("hostile.grid");
   constexpr std::int32_t side = 100;
-  Grid uniform = tiny_grid();
+  Structure uniform = tiny_grid();
   uniform.layout.division = {side, side, side};
   uniform.references.assign(100000, 0);
   uniform.references.back() |= last_bit;
@@ -100,9 +101,9 @@ TEST(HostileLists, SharedByAllCellsAreRefusedQuickly) {
     uniform.voxel_map.clear();
     for (std::uint32_t i = 0; i < side * side * side; ++i)
       uniform.voxel_map.push_back(occupied_bit | step * (i % 1000));
-    write_grid(uniform, tiny_grid_provenance({1, 2}), path);
-    EXPECT_TRUE(is_refused_as<GridFile>(path));
-    Grid merged = tiny_merged_grid();
+    write_structure(uniform, tiny_grid_provenance({1, 2}), path);
+    EXPECT_TRUE(is_refused_as<StructureFile>(path));
+    Structure merged = tiny_merged_grid();
     merged.layout.division = {side, side, side};
     merged.nested_log2 = 0;
     merged.references = uniform.references;
@@ -113,8 +114,8 @@ TEST(HostileLists, SharedByAllCellsAreRefusedQuickly) {
       merged.voxel_map.push_back(occupied_bit | i);
       merged.cells.push_back({range(x, x + 1), range(y, y + 1), range(z, z + 1), step * (i % 1000)});
     }
-    write_grid(merged, tiny_grid_provenance({1, 2}, merge_rule), path);
-    EXPECT_TRUE(is_refused_as<GridFile>(path));
+    write_structure(merged, tiny_grid_provenance({1, 2}, merge_rule), path);
+    EXPECT_TRUE(is_refused_as<StructureFile>(path));
   }
 }
 
@@ -123,7 +124,7 @@ TEST(HostileNestedMap, SharedByCubesIsRefusedQuickly) {
   const TemporaryFolder folder;
   const std::string path = folder.file("hostile.grid");
   constexpr std::uint32_t depth = 15, side = 1U << depth;
-  Grid grid = tiny_merged_grid();
+  Structure grid = tiny_merged_grid();
   grid.layout.division = {1, 1, 1};
   grid.nested_log2 = depth;
   grid.cells = {{range(0, side), range(0, side), range(0, side), 0}};
@@ -132,8 +133,8 @@ TEST(HostileNestedMap, SharedByCubesIsRefusedQuickly) {
   for (std::uint32_t level = 1; level <= depth; ++level)
     std::fill_n(grid.voxel_map.begin() + 8 * level, 8,
                 level < depth ? divided(static_cast<std::uint32_t>(8 * (level + 1)), 1) : occupied_bit | 0);
-  write_grid(grid, tiny_grid_provenance({1, 2}, merge_rule), path);
-  EXPECT_TRUE(is_refused_as<GridFile>(path));
+  write_structure(grid, tiny_grid_provenance({1, 2}, merge_rule), path);
+  EXPECT_TRUE(is_refused_as<StructureFile>(path));
 }
 
 // Traversal of any that still opens ends.

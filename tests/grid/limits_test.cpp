@@ -52,7 +52,7 @@ TYPED_TEST(RayLimits, AreComparedWithTheReportedT) {
     if (scene.count() == 0) continue;
     const SceneView<Real> view = scene.view();
     const Boxd bounds = scene.bounds();
-    const Grid grid = random_grid(chance, view, bounds), hierarchy = hierarchy_of(scene);
+    const Structure grid = random_grid(chance, view, bounds), hierarchy = hierarchy_of(scene);
     RayMaker<Real> rays(chance, scene, bounds, grid);
     for (int r = 0; r < 40; ++r) {
       Ray<Real> ray = rays.ray();
@@ -60,7 +60,7 @@ TYPED_TEST(RayLimits, AreComparedWithTheReportedT) {
       // What it hits, whatever its limits.
       std::vector<Hit<Real>> all;
       hits_in_order<Robust<Real>>(
-          view, NoGrid{}, ray, {Faces::both, EdgeRule::closed}, no_primitive,
+          view, NoStructure{}, ray, {Faces::both, EdgeRule::closed}, no_primitive,
           [&](std::uint32_t, const auto& near, bool) { all.push_back(relative_to_origin(near)); });
       if (all.empty()) continue;
       const auto limit = [&] {
@@ -91,9 +91,9 @@ TYPED_TEST(RayLimits, AreComparedWithTheReportedT) {
             [&](std::uint32_t, const auto& near, bool) { listed.push_back(relative_to_origin(near)); });
         ASSERT_TRUE(std::ranges::equal(listed, all, same)) << of;
       };
-      check(NoGrid{});
-      with_grid_view<Real>(grid, check);
-      with_grid_view<Real>(hierarchy, check);
+      check(NoStructure{});
+      with_structure_view<Real>(grid, check);
+      with_structure_view<Real>(hierarchy, check);
     }
   }
   EXPECT_GT(beyond, 500U);
@@ -110,7 +110,7 @@ TEST_F(ListedLimits, OfFloat32AreComparedWithTAsFloat32) {
     if (scene.count() == 0) continue;
     const SceneView<double> view = scene.view();
     const Boxd bounds = scene.bounds();
-    const Grid hierarchy = hierarchy_of(scene);
+    const Structure hierarchy = hierarchy_of(scene);
     RayMaker<double> rays(chance_, scene, bounds, hierarchy);
     for (int r = 0; r < 40; ++r) {
       const Ray<double> made = rays.ray();
@@ -119,7 +119,7 @@ TEST_F(ListedLimits, OfFloat32AreComparedWithTAsFloat32) {
       const auto traced = [&] {
         NoCounts counts;
         const Ray<double> loaded = masu::loaded<double>(&ray, own_format<float>, 0);
-        return trace_listed<Query::nearest_hit, Robust<double>>(view, NoGrid{}, loaded, counts);
+        return trace_listed<Query::nearest_hit, Robust<double>>(view, NoStructure{}, loaded, counts);
       };
       const Hit<float> first = traced();
       if (first.primitive == no_primitive) continue;

@@ -16,8 +16,9 @@
 namespace masu {
 namespace {
 
-GridOptions random_rule(Chance& chance) {
-  GridOptions options{chance.one_of({GridKind::x, GridKind::balance, GridKind::irregular})};
+StructureOptions random_rule(Chance& chance) {
+  StructureOptions options{
+      chance.one_of({StructureKind::x, StructureKind::balance, StructureKind::irregular})};
   options.target = static_cast<std::uint32_t>(chance.whole(1, 6));
   options.step_cost = chance.uniform(0.1, 4);
   options.nested_log2 = chance.whole(0, 4);
@@ -65,7 +66,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
   for (std::int64_t i = cases(60); i > 0; --i) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 40);
     const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 5));
-    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
+    const Structure grid = build_structure(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<double> view = merged_view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
 
@@ -139,7 +140,7 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
   for (std::int64_t i = cases(20); i > 0; --i) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 40);
     const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 20));
-    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
+    const Structure grid = build_structure(scene.view(), layout, Overlap::exact);
     const GridView<double> view = view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.references));
     std::uint64_t occupied = 0, references = 0;
@@ -168,7 +169,7 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
   TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 8);
   const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
   const auto layout = layout_in<TypeParam>(scene.bounds(), n);
-  const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
+  const Structure grid = build_structure(scene.view(), layout, Overlap::exact);
   const GridView<double> view = view_of<double>(grid);
   ASSERT_GT(view.block_log2, 0) << "choose a finer division";
   const MapStatistics told = map_statistics(view, std::span(grid.references));
@@ -201,7 +202,7 @@ TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
   for (std::int64_t i = cases(3); i > 0; --i) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 30);
     const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 4));
-    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
+    const Structure grid = build_structure(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<double> view = merged_view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
     const std::vector<OwnVoxels> own = own_voxels(view, std::span(grid.cells));

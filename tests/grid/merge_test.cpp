@@ -27,14 +27,14 @@ std::int64_t volume(const VoxelBox& box) {
 
 // A merged grid taken apart: the voxels that lead to each cell, and what it lists.
 struct Cells {
-  const Grid& grid;
+  const Structure& grid;
   Vec3i division; // in the smallest voxels
   std::vector<VoxelBox> own, boxes;
   std::vector<Primitives> lists;
   std::vector<std::uint32_t> of_voxel;
 
   // Fails where voxels lead astray, cells aren't boxes of voxels, or lists aren't in order.
-  explicit Cells(const Grid& g)
+  explicit Cells(const Structure& g)
       : grid(g), division(finest_layout(g).division), own(g.cells.size(), VoxelBox{division, {0, 0, 0}}),
         of_voxel(voxel_count(division)) {
     const MergedGridView<double> view = merged_view_of<double>(grid);
@@ -78,8 +78,8 @@ protected:
       change(scene, by);
       by.layout = random_layout<Stored>(chance_, scene.bounds());
       // Few enough voxels to look at each of them.
-      by.layout.division = random_division(chance_, by.options.kind == GridKind::irregular ? 4 : 24);
-      const Grid grid = build_grid(scene.view(), by.layout, by.overlap, by.options);
+      by.layout.division = random_division(chance_, by.options.kind == StructureKind::irregular ? 4 : 24);
+      const Structure grid = build_structure(scene.view(), by.layout, by.overlap, by.options);
       check(scene, by, grid, Cells(grid));
       ASSERT_FALSE(HasFailure()) << described(grid) << '\n' << described(scene);
     }
@@ -126,7 +126,7 @@ void expect_listed(const Cells& cells, const Lists& needed) {
 TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
   this->for_random_grids(
       cases(400), [](auto&, RandomCase&) {},
-      [](auto& scene, const RandomCase& by, const Grid& grid, const Cells& cells) {
+      [](auto& scene, const RandomCase& by, const Structure& grid, const Cells& cells) {
         expect_listed(cells, needed_lists(scene, finest_layout(grid), by.overlap));
       });
 }
@@ -136,14 +136,14 @@ TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
   for (std::int64_t s = cases(20); s > 0; --s) {
     TestScene<TypeParam> scene;
     add_triangles(scene, chance, 500, 0.1);
-    GridOptions options{GridKind::irregular};
+    StructureOptions options{StructureKind::irregular};
     options.nested_log2 = 3;
     GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
     layout.division = {2, 2, 2};
-    const Grid whole = build_grid(scene.view(), layout, Overlap::exact, options);
+    const Structure whole = build_structure(scene.view(), layout, Overlap::exact, options);
     EXPECT_EQ(whole.detail, options.detail);
     options.max_map_words = whole.voxel_map.size() / 2;
-    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, options);
+    const Structure grid = build_structure(scene.view(), layout, Overlap::exact, options);
     EXPECT_LT(grid.detail, options.detail);
     EXPECT_LE(grid.voxel_map.size(), options.max_map_words);
     expect_listed(Cells(grid), needed_lists(scene, finest_layout(grid), Overlap::exact));
@@ -166,15 +166,15 @@ TYPED_TEST(Merged, ListsThatHardlyGetShorterAreDividedUpToALimit) {
       const auto near = [&](const Vec3d& point) { return cast<TypeParam>(point + chance.in_cube(0.01)); };
       scene.triangles.push_back(triangle_of(near(at - along), near(at + along), near(at + along)));
     }
-    GridOptions options = random_grid_options(chance);
+    StructureOptions options = random_grid_options(chance);
     GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
-    if (options.kind == GridKind::irregular) layout.division = random_division(chance, 9);
+    if (options.kind == StructureKind::irregular) layout.division = random_division(chance, 9);
     options.nested_log2 = std::min(options.nested_log2, 3);
     options.max_fragments = static_cast<std::uint64_t>(chance.power_of_two(8, 20));
     const auto builder = cpu_builder(scene.view());
-    const Grid grid = builder->try_build(layout, Overlap::exact, options);
+    const Structure grid = builder->try_build(layout, Overlap::exact, options);
     DeviceLikeExecutor executor;
-    const Grid other = merged_grid(executor, scene.view(), layout, Overlap::exact, options);
+    const Structure other = merged_grid(executor, scene.view(), layout, Overlap::exact, options);
     ASSERT_EQ(grid.exceeded == nullptr, other.exceeded == nullptr) << described(grid);
     exceeded += grid.exceeded != nullptr;
     if (grid.exceeded != nullptr) {
@@ -183,7 +183,7 @@ TYPED_TEST(Merged, ListsThatHardlyGetShorterAreDividedUpToALimit) {
       continue;
     }
     expect_same(grid, other);
-    EXPECT_TRUE(options.kind == GridKind::x || grid.references.size() <= options.max_fragments);
+    EXPECT_TRUE(options.kind == StructureKind::x || grid.references.size() <= options.max_fragments);
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
   EXPECT_GT(exceeded, 0);
@@ -191,7 +191,7 @@ TYPED_TEST(Merged, ListsThatHardlyGetShorterAreDividedUpToALimit) {
 
 // nff2bin writes no such scene, but a file may hold one: areas and volumes are then infinite, or nothing.
 TEST_F(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
-  GridOptions options{GridKind::irregular};
+  StructureOptions options{StructureKind::irregular};
   options.nested_log2 = 3;
   for (const double scale : {0x1p520, 0x1p-520}) {
     for (std::int64_t s = cases(20); s > 0; --s) {
@@ -203,9 +203,9 @@ TEST_F(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
       }
       GridLayout layout = random_layout<double>(chance_, scene.bounds());
       layout.division = {2, 3, 4};
-      const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
+      const Structure grid = build_structure(scene.view(), layout, Overlap::box, options);
       expect_listed(Cells(grid), needed_lists(scene, finest_layout(grid), Overlap::box));
-      build_grid(scene.view(), layout, Overlap::exact, options);
+      build_structure(scene.view(), layout, Overlap::exact, options);
       ASSERT_FALSE(testing::Test::HasFailure()) << described(grid) << '\n' << described(scene);
     }
   }
@@ -218,7 +218,7 @@ TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
         // The exact test of cones says more of small boxes than of large ones.
         if (by.overlap == Overlap::exact) scene.cones.clear();
       },
-      [](auto& scene, const RandomCase& by, const Grid& grid, const Cells& cells) {
+      [](auto& scene, const RandomCase& by, const Structure& grid, const Cells& cells) {
         const Lists possible = lists_of(scene, with_margin(finest_layout(grid), perhaps), by.overlap);
         std::vector<std::set<PrimitiveIndex>> in_cells(grid.cells.size());
         for (const auto& [voxel, list] : possible)
@@ -234,10 +234,10 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
   this->for_random_grids(
       cases(200),
       [&](auto&, RandomCase& by) {
-        by.options.kind = GridKind::irregular;
+        by.options.kind = StructureKind::irregular;
         by.options.expansions = this->chance_.one_of({1, 2, 6, 40});
       },
-      [&](auto& scene, const RandomCase& by, const Grid& grid, const Cells& cells) {
+      [&](auto& scene, const RandomCase& by, const Structure& grid, const Cells& cells) {
         const Lists needed = needed_lists(scene, finest_layout(grid), by.overlap);
         for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
           expanded += volume(cells.boxes[cell]) > volume(cells.own[cell]);
@@ -258,7 +258,7 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
 TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
   this->for_random_grids(
       cases(200), [](auto&, RandomCase& by) { by.options.expansions = 0; },
-      [](auto&, const RandomCase&, const Grid& grid, const Cells& cells) {
+      [](auto&, const RandomCase&, const Structure& grid, const Cells& cells) {
         for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
           ASSERT_TRUE(cells.boxes[cell].first == cells.own[cell].first &&
                       cells.boxes[cell].end == cells.own[cell].end)
@@ -270,8 +270,8 @@ TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
 
 TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
   this->for_random_grids(
-      cases(200), [](auto&, RandomCase& by) { by.options = {GridKind::x}; },
-      [](auto& scene, const RandomCase& by, const Grid&, const Cells& cells) {
+      cases(200), [](auto&, RandomCase& by) { by.options = {StructureKind::x}; },
+      [](auto& scene, const RandomCase& by, const Structure&, const Cells& cells) {
         const Vec3i& division = by.layout.division;
         const Lists lists = lists_of(scene, by.layout, by.overlap);
         for_each_voxel_of({{0, 0, 0}, division}, [&](const Vec3i& voxel) {
@@ -322,9 +322,9 @@ TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
       cases(300),
       [&](auto&, RandomCase& by) {
         by.overlap = Overlap::box;
-        by.options = {GridKind::balance, this->chance_.one_of({1U, 2U, 5U, 20U})};
+        by.options = {StructureKind::balance, this->chance_.one_of({1U, 2U, 5U, 20U})};
       },
-      [&](auto& scene, const RandomCase& by, const Grid&, const Cells& cells) {
+      [&](auto& scene, const RandomCase& by, const Structure&, const Cells& cells) {
         const Lists lists = lists_of(scene, by.layout, by.overlap);
         for (std::size_t cell = 0; cell < cells.lists.size(); ++cell) {
           if (cells.lists[cell].size() <= by.options.target) {

@@ -75,13 +75,13 @@ private:
 // The map of a division of 4³ cubes, of which only this one holds something: those cells.
 HostArray<std::uint32_t> map_of(const std::vector<VoxelBox>& cells, const Vec3i& cube, std::int32_t log2) {
   SerialExecutor executor;
-  ExecutorGrid<SerialExecutor> grid{{}, GridKind::irregular, 0, log2};
+  ExecutorStructure<SerialExecutor> grid{{}, StructureKind::irregular, 0, log2};
   for (const VoxelBox& cell : cells)
     grid.cells.push_back(packed(cell, empty_list));
   const LeafCounts starts{0, 0}, leaves{static_cast<std::uint32_t>(cells.size()), 0};
   const HostArray<std::uint32_t> indices{static_cast<std::uint32_t>(linear_index(cube, {4, 4, 4}))};
   write_nested_maps(executor, {4, 4, 4}, {0, 64, nullptr, nullptr, 0}, indices, &starts, &leaves,
-                    GridOptions{}.max_map_words, grid);
+                    StructureOptions{}.max_map_words, grid);
   EXPECT_EQ(grid.exceeded, nullptr);
   return std::move(grid.voxel_map);
 }

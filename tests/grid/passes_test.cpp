@@ -17,19 +17,20 @@ namespace masu {
 namespace {
 
 template <class Stored>
-class DeviceLikeBuilder final : public GridBuilder<Stored> {
+class DeviceLikeBuilder final : public StructureBuilder<Stored> {
 public:
   explicit DeviceLikeBuilder(const SceneView<Stored>& scene) : scene_(scene) {}
-  Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    if (options.kind == GridKind::uniform)
+  Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) override {
+    if (options.kind == StructureKind::uniform)
       return uniform_grid(executor_, scene_, layout, overlap, options.max_references, options.max_map_words);
-    if (options.kind != GridKind::hierarchy) return merged_grid(executor_, scene_, layout, overlap, options);
-    if (options.quality == HierarchyQuality::high) return {hierarchy_grid(scene_, layout)};
+    if (options.kind != StructureKind::hierarchy)
+      return merged_grid(executor_, scene_, layout, overlap, options);
+    if (options.quality == HierarchyQuality::high) return {build_hierarchy(scene_, layout)};
     return collapsed_hierarchy(
         executor_, layout,
         top_down_hierarchy(executor_, hierarchy_leaves(executor_, scene_, layout), layout.space));
   }
-  bool refit(const GridLayout& layout, Grid& hierarchy) override {
+  bool refit(const GridLayout& layout, Structure& hierarchy) override {
     if (!holds_all(executor_, scene_, hierarchy.references)) return false;
     masu::refit(executor_, scene_, layout.margin, hierarchy.nodes, hierarchy.references.data(),
                 hierarchy.references.size());

@@ -27,7 +27,8 @@ bool contains(const VoxelBox& outer, const VoxelBox& inner) {
   return true;
 }
 
-std::vector<SliceCell> cells_of(const GridFile& file, const SlicePlane& plane, const SliceWindow& window) {
+std::vector<SliceCell> cells_of(const StructureFile& file, const SlicePlane& plane,
+                                const SliceWindow& window) {
   std::vector<SliceCell> cells;
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) { cells.push_back(cell); });
   return cells;
@@ -44,19 +45,19 @@ protected:
   void for_random_grids(int count, const Check& check) {
     for (int i = 0; i < count; ++i) {
       TestScene<float> scene = SceneMaker<float>(chance_, 1).scene();
-      const Grid grid = random_grid<float>(chance_, scene.view(), scene.bounds());
+      const Structure grid = random_grid<float>(chance_, scene.view(), scene.bounds());
       SCOPED_TRACE(described(grid));
       const std::string path = folder_.file("grid");
-      write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "any", "any"},
-                 path);
-      check(chance_, grid, GridFile(path));
+      write_structure(
+          grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "any", "any"}, path);
+      check(chance_, grid, StructureFile(path));
       if (HasFailure()) return;
     }
   }
 
   // References of each voxel of a box, looked up.
   template <class Act> // act(voxel, references)
-  static void for_each_looked_up(const Grid& grid, const VoxelBox& box, const Act& act) {
+  static void for_each_looked_up(const Structure& grid, const VoxelBox& box, const Act& act) {
     with_view<double>(grid, [&](const auto& view) {
       for_each_voxel(range_of(box), [&](const Vec3i& voxel) { act(voxel, references_in(view, voxel)); });
     });
@@ -67,7 +68,7 @@ protected:
 };
 
 TEST_F(GridCells, PartitionTheSpaceAndListWhatTheirVoxelsDo) {
-  for_random_grids(60, [](Chance&, const Grid& grid, const GridFile& file) {
+  for_random_grids(60, [](Chance&, const Structure& grid, const StructureFile& file) {
     const Vec3i division = finest_layout(grid).division;
     std::uint64_t voxels = 0, last = 0;
     bool is_first = true;
@@ -82,7 +83,7 @@ TEST_F(GridCells, PartitionTheSpaceAndListWhatTheirVoxelsDo) {
       EXPECT_EQ(voxel_count(cell.box.end - cell.box.first), cell.voxels);
       EXPECT_TRUE(contains(cell.expanded, cell.box));
       EXPECT_TRUE(contains(whole_of(division), cell.expanded));
-      if (grid.kind != GridKind::irregular) {
+      if (grid.kind != StructureKind::irregular) {
         EXPECT_TRUE(contains(cell.box, cell.expanded));
       }
       voxels += cell.voxels;
@@ -102,9 +103,9 @@ TEST_F(GridCells, PartitionTheSpaceAndListWhatTheirVoxelsDo) {
 }
 
 TEST_F(GridCells, OfAFilterAreThoseOfAllThatItLetsThrough) {
-  for_random_grids(60, [](Chance& chance, const Grid& grid, const GridFile& file) {
+  for_random_grids(60, [](Chance& chance, const Structure& grid, const StructureFile& file) {
     const Vec3i n = finest_layout(grid).division;
-    if (voxel_count(n) > most_voxels && grid.kind == GridKind::uniform) return;
+    if (voxel_count(n) > most_voxels && grid.kind == StructureKind::uniform) return;
     CellFilter filter{{}, chance.one_in(2)};
     for (int axis = 0; axis < 3; ++axis) {
       const int a = chance.whole(0, n[axis]), b = chance.whole(0, n[axis]);
@@ -126,7 +127,7 @@ TEST_F(GridCells, OfAFilterAreThoseOfAllThatItLetsThrough) {
 }
 
 TEST_F(GridCells, OfASliceTileItsLayerAndListWhatItsVoxelsDo) {
-  for_random_grids(60, [](Chance& chance, const Grid& grid, const GridFile& file) {
+  for_random_grids(60, [](Chance& chance, const Structure& grid, const StructureFile& file) {
     const GridLayout finest = finest_layout(grid);
     const int axis = chance.whole(0, 2);
     const std::array<int, 2> axes = slice_axes(axis);
@@ -165,7 +166,7 @@ TEST_F(GridCells, OfASliceTileItsLayerAndListWhatItsVoxelsDo) {
 }
 
 TEST_F(GridCells, OfAWindowAreThoseOfTheSliceWithAPartInIt) {
-  for_random_grids(40, [](Chance& chance, const Grid& grid, const GridFile& file) {
+  for_random_grids(40, [](Chance& chance, const Structure& grid, const StructureFile& file) {
     const GridLayout finest = finest_layout(grid);
     const int axis = chance.whole(0, 2);
     const std::array<int, 2> axes = slice_axes(axis);
@@ -196,7 +197,7 @@ TEST_F(GridCells, OfAWindowAreThoseOfTheSliceWithAPartInIt) {
 }
 
 TEST_F(GridCells, BoxesInTheSceneSumToTheSpace) {
-  for_random_grids(20, [](Chance&, const Grid& grid, const GridFile& file) {
+  for_random_grids(20, [](Chance&, const Structure& grid, const StructureFile& file) {
     const GridLayout finest = finest_layout(file);
     const Vec3d w = finest.space.max - finest.space.min;
     double volume = 0;
@@ -213,7 +214,7 @@ TEST_F(GridCells, BoxesInTheSceneSumToTheSpace) {
 }
 
 TEST_F(GridCells, PlanesAreInTheirLayersAndNoneLiesOutside) {
-  for_random_grids(20, [](Chance& chance, const Grid& grid, const GridFile&) {
+  for_random_grids(20, [](Chance& chance, const Structure& grid, const StructureFile&) {
     const GridLayout finest = finest_layout(grid);
     const int axis = chance.whole(0, 2);
     const double low = finest.space.min[axis], high = finest.space.max[axis];
@@ -233,7 +234,7 @@ TEST_F(GridCells, PlanesAreInTheirLayersAndNoneLiesOutside) {
 }
 
 TEST_F(GridCells, OfASliceAreNoMoreThanAllowed) {
-  for_random_grids(10, [](Chance&, const Grid& grid, const GridFile& file) {
+  for_random_grids(10, [](Chance&, const Structure& grid, const StructureFile& file) {
     const GridLayout finest = finest_layout(grid);
     const SlicePlane plane = plane_of_layer(finest, 2, 0, "--slice");
     const SliceWindow window = window_of(finest, 2);
@@ -244,7 +245,7 @@ TEST_F(GridCells, OfASliceAreNoMoreThanAllowed) {
 }
 
 TEST_F(GridCells, BoxesInOneFormAreTheCells) {
-  for_random_grids(20, [](Chance&, const Grid&, const GridFile& file) {
+  for_random_grids(20, [](Chance&, const Structure&, const StructureFile& file) {
     const GridLayout finest = finest_layout(file);
     std::vector<std::uint64_t> expected, found;
     for_each_cell(file, {whole_of(finest.division)},
@@ -275,11 +276,12 @@ protected:
         space.min.set(axis, space.min[axis] - 1e-3);
         space.max.set(axis, space.max[axis] + 1e-3);
       }
-      const Grid grid = hierarchy_grid(scene.view(), {space, {1, 1, 1}, 1e-3}, {});
+      const Structure grid = build_hierarchy(scene.view(), {space, {1, 1, 1}, 1e-3}, {});
       const std::string path = folder_.file("hierarchy");
       const Vec3d origin{chance_.uniform(-9, 9), 0, 1e6};
-      write_grid(grid, {{1, 2}, scene.count(), origin, SpaceRule::tight, Overlap::exact, "any", "any"}, path);
-      check(chance_, GridFile(path));
+      write_structure(grid, {{1, 2}, scene.count(), origin, SpaceRule::tight, Overlap::exact, "any", "any"},
+                      path);
+      check(chance_, StructureFile(path));
       if (HasFailure()) return;
     }
   }
@@ -288,7 +290,7 @@ protected:
 
 TEST_F(HierarchySlices, AreThePartsOfAllBoxesInThePlaneAndTheWindow) {
   std::size_t found = 0, missed = 0;
-  for_random_hierarchies(300, [&](Chance& chance, const GridFile& file) {
+  for_random_hierarchies(300, [&](Chance& chance, const StructureFile& file) {
     const GridLayout finest = finest_layout(file);
     const Boxd& space = finest.space;
     const int axis = chance.whole(0, 2);

@@ -15,7 +15,7 @@ namespace masu {
 namespace {
 
 template <class Stored>
-Lists lists_of(const Grid& grid) {
+Lists lists_of(const Structure& grid) {
   const GridView<Stored> view = view_of<Stored>(grid);
   Lists lists;
   for_each_voxel_of({{0, 0, 0}, grid.layout.division}, [&](const Vec3i& voxel) {
@@ -37,7 +37,7 @@ TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 60);
     const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 24));
     const Overlap overlap = any_overlap(chance);
-    const Grid grid = build_grid(scene.view(), layout, overlap);
+    const Structure grid = build_structure(scene.view(), layout, overlap);
     ASSERT_EQ(grid.block_log2, 0);
     ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, overlap));
   }
@@ -49,7 +49,7 @@ TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
   TestScene<TypeParam> scene;
   add_triangles(scene, chance, 20'000, 0.002, 0.01);
   const auto layout = layout_in<TypeParam>(scene.bounds(), {70, 50, 60});
-  ASSERT_EQ(lists_of<TypeParam>(build_grid(scene.view(), layout, Overlap::exact)),
+  ASSERT_EQ(lists_of<TypeParam>(build_structure(scene.view(), layout, Overlap::exact)),
             lists_of(scene, layout, Overlap::exact));
 }
 
@@ -62,7 +62,7 @@ TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
     scene.cones.clear();
     scene.triangles.push_back(triangle_of<TypeParam>({-1, -1, -1}, {1, 1, 1}, {1, TypeParam(0.9), 1}));
     const auto layout = layout_in<TypeParam>(scene.bounds(), division);
-    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
+    const Structure grid = build_structure(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
     ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, Overlap::exact));
   }
@@ -77,15 +77,15 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
     scene.cones.push_back(cone_of<TypeParam>(at, 0.01, at + this->chance_.direction() * 0.02, 0.005));
   }
   const SceneView<TypeParam> view = scene.view();
-  const std::pair<GridKind, Vec3i> grids[] = {
-      {GridKind::uniform, {31, 32, 33}}, {GridKind::uniform, {220, 220, 220}},
-      {GridKind::x, {31, 40, 33}},       {GridKind::balance, {31, 40, 33}},
-      {GridKind::irregular, {7, 6, 5}},  {GridKind::hierarchy, {1, 1, 1}}};
+  const std::pair<StructureKind, Vec3i> grids[] = {
+      {StructureKind::uniform, {31, 32, 33}}, {StructureKind::uniform, {220, 220, 220}},
+      {StructureKind::x, {31, 40, 33}},       {StructureKind::balance, {31, 40, 33}},
+      {StructureKind::irregular, {7, 6, 5}},  {StructureKind::hierarchy, {1, 1, 1}}};
   for (const auto& [kind, division] : grids) {
     SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind));
-    GridOptions options{kind};
+    StructureOptions options{kind};
     const auto layout = layout_in<TypeParam>(scene.bounds(), division);
-    compare_threads([&] { return build_grid(view, layout, Overlap::exact, options); }, expect_same);
+    compare_threads([&] { return build_structure(view, layout, Overlap::exact, options); }, expect_same);
   }
   compare_threads([&] { return division_statistics(view); },
                   [](const DivisionStatistics& a, const DivisionStatistics& b) {
@@ -103,7 +103,7 @@ TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, i % 10 == 0 ? 0 : 60);
     const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 20));
     const Overlap overlap = any_overlap(chance);
-    const Grid grid = build_grid(scene.view(), layout, overlap);
+    const Structure grid = build_structure(scene.view(), layout, overlap);
     EXPECT_TRUE(grid.cells.empty());
     const GridView<double> view = view_of<double>(grid);
     const GridStatistics told = grid_statistics(view, grid.references);

@@ -29,7 +29,7 @@ protected:
             static_cast<TracedReal>(ray.t_max)};
   }
   // Of rays that are hard for it.
-  void compare(TestScene<StoredReal>& scene, const Grid& structure, int rays) {
+  void compare(TestScene<StoredReal>& scene, const Structure& structure, int rays) {
     const Boxd bounds = scene.bounds();
     RayMaker<StoredReal> maker(chance_, scene, bounds, structure);
     compare(scene, structure, rays, [&] {
@@ -40,8 +40,8 @@ protected:
   }
   // Counts the rays whose result depends on the structure.
   template <class MakeRay>
-  void compare(TestScene<StoredReal>& scene, const Grid& structure, int rays, const MakeRay& make_ray) {
-    with_grid_view<TracedReal>(structure, [&](const auto& view) {
+  void compare(TestScene<StoredReal>& scene, const Structure& structure, int rays, const MakeRay& make_ray) {
+    with_structure_view<TracedReal>(structure, [&](const auto& view) {
       for (int i = 0; i < rays; ++i)
         compare_one(scene, structure, view, make_ray());
     });
@@ -56,12 +56,12 @@ protected:
 
 private:
   template <class View>
-  void compare_one(TestScene<StoredReal>& scene, const Grid& structure, const View& view,
+  void compare_one(TestScene<StoredReal>& scene, const Structure& structure, const View& view,
                    Ray<TracedReal> ray) {
     using M = Robust<TracedReal>;
     const SceneView<StoredReal> all = scene.view();
     NoCounts counts;
-    const Hit<TracedReal> expected = nearest_hit<M>(all, NoGrid{}, ray, counts),
+    const Hit<TracedReal> expected = nearest_hit<M>(all, NoStructure{}, ray, counts),
                           found = nearest_hit<M>(all, view, ray, counts);
     const bool is_hit = expected.primitive != no_primitive;
     constexpr double one_clip = 256, two_clips = one_clip / 12 / RealTraits<TracedReal>::unit_roundoff;
@@ -74,12 +74,12 @@ private:
       ray.t_max = chance_.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
     if (is_hit && chance_.one_in(3))
       ray.t_min = chance_.one_of({expected.t, nudged(expected.t, -1), nudged(expected.t, 1), expected.t / 2});
-    const Hit<TracedReal> within = nearest_hit<M>(all, NoGrid{}, ray, counts),
+    const Hit<TracedReal> within = nearest_hit<M>(all, NoStructure{}, ray, counts),
                           found_within = nearest_hit<M>(all, view, ray, counts);
     const bool same_within =
         found_within.primitive == within.primitive && same_bits(found_within.t, within.t);
     const bool same_occlusion =
-        is_occluded<M>(all, view, ray, counts) == is_occluded<M>(all, NoGrid{}, ray, counts);
+        is_occluded<M>(all, view, ray, counts) == is_occluded<M>(all, NoStructure{}, ray, counts);
     if ((same && same_within && same_occlusion) || ++different_ > 1) return;
     first_ = described(ray.origin, ray.direction) + " t_min " + described(ray.t_min) + " t_max " +
              described(ray.t_max) + ": " + described(same ? found_within : found) + ", expected " +
@@ -87,7 +87,7 @@ private:
   }
 
   // Into planes of boxes of a node, or along their edges.
-  void put_on_planes(const Grid& hierarchy, Ray<TracedReal>& ray) {
+  void put_on_planes(const Structure& hierarchy, Ray<TracedReal>& ray) {
     const Boxd box =
         box_of(hierarchy.nodes[chance_.index(hierarchy.nodes.size())], chance_.whole(0, boxes_per_node - 1));
     for (int axis = 0; axis < 3; ++axis) {

@@ -26,7 +26,7 @@ TYPED_TEST(Walks, FindTheHitsOfTryingEveryPrimitive) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(4000); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid structure = random_structure(chance, scene);
+    const Structure structure = random_structure(chance, scene);
     this->compare(scene, structure, 200);
   }
   this->expect_same_hits(cases(120'000));
@@ -42,10 +42,10 @@ TYPED_TEST(Walks, FindThemFromAnyDistance) {
     TestScene<Stored> scene =
         SceneMaker<Stored>(chance, chance.power_of_two(is_tiny ? -33 : -10, is_tiny ? -20 : 20)).scene();
     const Boxd bounds = scene.bounds();
-    const Grid structures[]{random_uniform_grid(chance, scene.view(), bounds),
-                            random_merged_grid(chance, scene.view(), bounds), hierarchy_of(scene)};
+    const Structure structures[]{random_uniform_grid(chance, scene.view(), bounds),
+                                 random_merged_grid(chance, scene.view(), bounds), hierarchy_of(scene)};
     RayMaker<Stored> rays(chance, scene, bounds, structures[0]);
-    for (const Grid& structure : structures)
+    for (const Structure& structure : structures)
       this->compare(scene, structure, 40, [&] { return this->as_traced(rays.very_far_ray()); });
   }
   this->expect_same_hits();
@@ -63,7 +63,7 @@ TYPED_TEST(Walks, FindThemAlongDirectionsWithTinyComponents) {
   for (std::int64_t s = cases(1000); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).flat();
     const Boxd bounds = scene.bounds();
-    const Grid grid = random_structure(chance, scene);
+    const Structure grid = random_structure(chance, scene);
     int across_plane = 0;
     for (int axis = 0; axis < 3; ++axis)
       if (bounds.min[axis] == bounds.max[axis]) across_plane = axis;
@@ -113,7 +113,7 @@ TYPED_TEST(Walks, FindThemAtTheTipsOfCones) {
           corner->set(axis, level);
       }
     }
-    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
+    const Structure grid = build_structure(scene.view(), layout, Overlap::exact);
     this->compare(scene, grid, 200, [&] {
       const Cone<Stored>& cone = scene.cones[chance.index(scene.cones.size())];
       const Vec3d tip = cast<double>(cone.apex), axis = normalized(cast<double>(cone.base) - tip);
@@ -134,7 +134,7 @@ TYPED_TEST(Walks, FindThemThroughMillionsOfVoxels) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).fine();
     const auto layout = layout_in<Stored>(
         scene.bounds(), {chance.whole(200, 300), chance.whole(200, 300), chance.whole(250, 300)});
-    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
+    const Structure grid = build_structure(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
     this->compare(scene, grid, 3000);
   }
@@ -165,7 +165,7 @@ TYPED_TEST(Walks, FindThemAmongThousandsOfPrimitives) {
         scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
       }
     }
-    const Grid grid = hierarchy_of(scene, s % 2 == 0 ? HierarchyQuality::high : HierarchyQuality::fast);
+    const Structure grid = hierarchy_of(scene, s % 2 == 0 ? HierarchyQuality::high : HierarchyQuality::fast);
     EXPECT_GT(hierarchy_statistics(grid.nodes).depth, 2);
     cut += grid.references.size() - scene.count();
     this->compare(scene, grid, 250);
@@ -180,7 +180,7 @@ TYPED_TEST(Walks, FindThemThroughARefittedHierarchy) {
   for (std::int64_t s = cases(500); s > 0; --s) {
     const double scale = chance.power_of_two(-10, 20);
     TestScene<Stored> scene = SceneMaker<Stored>(chance, scale).scene();
-    Grid grid = hierarchy_of(scene, any_quality(chance));
+    Structure grid = hierarchy_of(scene, any_quality(chance));
     for (int moves = chance.whole(1, 3); moves > 0; --moves) {
       const std::size_t cones = scene.cones.size();
       move_primitives(chance, scene, scale * chance.power_of_two(-20, 4));
@@ -210,7 +210,7 @@ TYPED_TEST(Walks, FindThemInScenesOfAnyScaleAndPlace) {
       std::erase_if(scene.cones, [](const auto& cone) { return cone.base == cone.apex; });
       if (scene.count() == 0) continue;
     }
-    const Grid grid = random_structure(chance, scene);
+    const Structure grid = random_structure(chance, scene);
     this->compare(scene, grid, 200);
   }
   this->expect_same_hits();
@@ -223,7 +223,7 @@ TYPED_TEST(Walks, FindTheFirstOfThousandsThatAreEqual) {
   scene.triangles.assign(5000, triangle_of<Stored>({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
   const SceneView<Stored> view = scene.view();
   for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
-    const Grid grid = hierarchy_of(scene, quality);
+    const Structure grid = hierarchy_of(scene, quality);
     EXPECT_EQ(grid.references.size(), 5000U);
     EXPECT_LE(hierarchy_statistics(grid.nodes).depth, 6U);
     NoCounts counts;
@@ -242,7 +242,7 @@ TYPED_TEST(Walks, FindNothingInAnEmptyScene) {
   without_surface.triangles.assign(3, triangle_of<Stored>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
   for (TestScene<Stored>* const scene : {&empty, &without_surface}) {
     for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
-      const Grid grid = hierarchy_of(*scene, quality);
+      const Structure grid = hierarchy_of(*scene, quality);
       EXPECT_EQ(grid.nodes.size(), 1U);
       EXPECT_TRUE(grid.references.empty());
       const auto ray = unbounded_ray<Real>({0, 0, 0}, {0, 0, -1});
@@ -260,7 +260,7 @@ TYPED_TEST(Walks, EndForRaysOfAnyNumbers) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(30); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).scene();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
+    const Structure grid = hierarchy_of(scene, any_quality(chance));
     const SceneView<Stored> view = scene.view();
     for (int i = 0; i < 2000; ++i) {
       const Ray<Real> ray = ray_of_any_numbers<Real>(chance);
@@ -287,7 +287,7 @@ protected:
       if (scene.count() == 0) continue;
       const SceneView<Real> view = scene.view();
       const Boxd bounds = scene.bounds();
-      const Grid grid = random_grid(chance_, view, bounds);
+      const Structure grid = random_grid(chance_, view, bounds);
       RayMaker<Real> rays(chance_, scene, bounds, grid);
       with_view<Real>(grid, [&](const auto& grid_view) {
         for (int i = 0; i < 100 && !HasFailure(); ++i)
@@ -437,7 +437,7 @@ TYPED_TEST(GridWalk, FindsTheSameInPieces) {
       cases(1000), [&] { return this->scene_of_any_size(); },
       [&](const SceneView<Real>& view, const auto& grid, double, const Ray<Real>& ray) {
         NoCounts counts;
-        const Hit<Real> expected = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+        const Hit<Real> expected = nearest_hit<Robust<Real>>(view, NoStructure{}, ray, counts);
         const Hit<Real> found = found_in_pieces(this->chance_, view, grid, ray);
         hits += expected.primitive != no_primitive;
         EXPECT_TRUE(found.primitive == expected.primitive && same_bits(found.t, expected.t))
@@ -529,17 +529,17 @@ TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
     const SceneView<Real> view = scene.view();
     const Boxd bounds = scene.bounds();
     const GridLayout layout = random_layout<Real>(chance, bounds);
-    const Grid uniform = build_grid(view, layout, Overlap::exact);
-    std::vector<Grid> joined{in_blocks(uniform, 2)};
-    for (const GridKind kind : {GridKind::x, GridKind::balance})
-      joined.push_back(build_grid(view, layout, Overlap::exact, {kind, 2}));
+    const Structure uniform = build_structure(view, layout, Overlap::exact);
+    std::vector<Structure> joined{in_blocks(uniform, 2)};
+    for (const StructureKind kind : {StructureKind::x, StructureKind::balance})
+      joined.push_back(build_structure(view, layout, Overlap::exact, {kind, 2}));
     for (int i = 0; i < 30; ++i) {
       const Vec3<Real> origin = cast<Real>(chance.in_box(layout.space));
       const Vec3<Real> d = cast<Real>(chance.direction());
       const ClippedRay<Real> ray{unbounded_ray(origin, d), {1 / d.x, 1 / d.y, 1 / d.z}, 0};
       const Wayfarer expected(view_of<Real>(uniform), ray);
       EXPECT_EQ(expected.counts.voxels_skipped, 0U);
-      for (const Grid& grid : joined) {
+      for (const Structure& grid : joined) {
         std::int64_t voxels = 0;
         with_view<Real>(grid, [&](const auto& grid_view) {
           const Wayfarer way(grid_view, ray);
@@ -564,13 +564,13 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
   const SceneView<Real> view = scene.view();
   const Boxd bounds = scene.bounds();
   const auto layout = layout_in<Real>(bounds, {5, 6, 7});
-  const Grid uniform = build_grid(view, layout, Overlap::exact);
-  std::vector<Grid> grids{uniform, in_blocks(uniform, 2)};
-  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular})
-    grids.push_back(build_grid(view, layout, Overlap::exact, {kind, 1}));
+  const Structure uniform = build_structure(view, layout, Overlap::exact);
+  std::vector<Structure> grids{uniform, in_blocks(uniform, 2)};
+  for (const StructureKind kind : {StructureKind::x, StructureKind::balance, StructureKind::irregular})
+    grids.push_back(build_structure(view, layout, Overlap::exact, {kind, 1}));
   for (int i = 0; i < 45; ++i)
     grids.push_back(random_merged_grid(chance, view, bounds));
-  for (const Grid& grid : grids) {
+  for (const Structure& grid : grids) {
     with_view<Real>(grid, [&](const auto& grid_view) {
       for (std::int64_t i = cases(5'000); i > 0 && !this->HasFailure(); --i) {
         const Ray<Real> ray = ray_of_any_numbers<Real>(chance);

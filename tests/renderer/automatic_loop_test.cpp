@@ -35,8 +35,9 @@ std::vector<Ray<float>> random_rays(Chance& chance, std::size_t count) {
 }
 
 TEST_F(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
-  for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
-    GridOptions options{kind};
+  for (const StructureKind kind :
+       {StructureKind::uniform, StructureKind::irregular, StructureKind::hierarchy}) {
+    StructureOptions options{kind};
     const Rendering rendering(random_scene(chance_), Store::float32, "6x5x7", options);
     for (const Query query : {Query::nearest_hit, Query::occlusion}) {
       // The last warp isn't full.

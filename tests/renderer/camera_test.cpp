@@ -92,7 +92,7 @@ TEST_F(CameraRays, APictureInUsedMemoryIsTheSame) {
   for (int i = 0; i < 3; ++i)
     add_sphere(scene, chance_.direction(), chance_.uniform(0.1, 0.5), matte(random_color(chance_)));
   const Rendering rendering(scene, Store::float32);
-  for (const GridFile* const grid : {&rendering.grid(), static_cast<const GridFile*>(nullptr)}) {
+  for (const StructureFile* const grid : {&rendering.grid(), static_cast<const StructureFile*>(nullptr)}) {
     const Tracer tracer(rendering.scene(), grid, Device::cpu);
     Frame memory;
     for (int i = 0; i < 40; ++i) {

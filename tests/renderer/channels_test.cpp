@@ -75,23 +75,24 @@ void for_random_pictures(std::int64_t scenes, const Check& check) {
   for (std::int64_t i = 0; i < cases(scenes); ++i) {
     const Scene scene = random_scene(chance);
     const Case with = all_cases[i % std::ssize(all_cases)];
-    for (const GridKind kind :
-         {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy}) {
-      GridOptions options{kind};
-      const char* const division = kind == GridKind::hierarchy   ? "1"
-                                   : kind == GridKind::irregular ? "3x2x4"
-                                   : i % 8 == 3                  ? "70x9x130"
-                                                                 : "9x7x11";
+    for (const StructureKind kind : {StructureKind::uniform, StructureKind::x, StructureKind::balance,
+                                     StructureKind::irregular, StructureKind::hierarchy}) {
+      StructureOptions options{kind};
+      const char* const division = kind == StructureKind::hierarchy   ? "1"
+                                   : kind == StructureKind::irregular ? "3x2x4"
+                                   : i % 8 == 3                       ? "70x9x130"
+                                                                      : "9x7x11";
       const Rendering rendering(scene, with.store, division, options);
       FrameRequest request = rendering.request();
       request.tracing.precision = with.precision;
       request.sampling = i % 2 == 0 ? Sampling::corners : Sampling::centers;
       request.hither = i % 3 == 0;
-      if (i % 5 == 4 && kind != GridKind::hierarchy) request.tracing.stop = StopRule::first_cell;
+      if (i % 5 == 4 && kind != StructureKind::hierarchy) request.tracing.stop = StopRule::first_cell;
       SCOPED_TRACE(testing::Message() << "scene " << i << " kind " << static_cast<int>(kind) << " precision "
                                       << name_of(with.precision));
       check(rendering.tracer(), request, chance);
-      if (kind == GridKind::uniform) check(Tracer(rendering.scene(), nullptr, Device::cpu), request, chance);
+      if (kind == StructureKind::uniform)
+        check(Tracer(rendering.scene(), nullptr, Device::cpu), request, chance);
       if (testing::Test::HasFailure()) return;
     }
   }
@@ -248,19 +249,19 @@ void expect_consistent(const WalkReport& report) {
       EXPECT_NE(report.rays[static_cast<std::size_t>(ray.parent)].kind, RayKind::shadow);
       EXPECT_NE(report.rays[static_cast<std::size_t>(ray.parent)].primitive, no_primitive);
     }
-    EXPECT_EQ(ray.cells, report.structure != Structure::none ? ray.steps.size() : 0);
+    EXPECT_EQ(ray.cells, report.form != StructureForm::none ? ray.steps.size() : 0);
     EXPECT_EQ(ray.end == WalkEnd::missed, ray.steps.empty());
     std::uint64_t tests = 0;
     WalkTest last{no_primitive, std::numeric_limits<double>::infinity(), false};
     for (std::size_t k = 0; k < ray.steps.size(); ++k) {
       const WalkStep& step = ray.steps[k];
       tests += step.tests.size();
-      const bool is_cell = report.structure == Structure::uniform || report.structure == Structure::merged;
+      const bool is_cell = report.form == StructureForm::uniform || report.form == StructureForm::merged;
       if (is_cell) {
         EXPECT_EQ(step.enter, k > 0 ? ray.steps[k - 1].exit : step.enter);
       }
-      if (report.structure == Structure::hierarchy) expect_consistent(step.node, k);
-      if (report.structure != Structure::none) {
+      if (report.form == StructureForm::hierarchy) expect_consistent(step.node, k);
+      if (report.form != StructureForm::none) {
         EXPECT_LE(step.tests.size(), step.references);
         EXPECT_TRUE(ray.kind == RayKind::shadow || step.tests.size() == step.references);
       }
@@ -270,7 +271,7 @@ void expect_consistent(const WalkReport& report) {
         last = test;
       }
       // The middle of the way through the box lies in it, but for rounding.
-      if (report.structure == Structure::none || !std::isfinite(step.exit) || !(step.enter < step.exit))
+      if (report.form == StructureForm::none || !std::isfinite(step.exit) || !(step.enter < step.exit))
         continue;
       const Vec3d at = ray.origin + ray.direction * ((step.enter + step.exit) / 2);
       for (int axis = 0; axis < 3; ++axis) {
@@ -397,7 +398,7 @@ TEST(Walk, BeyondItsLimitsIsCountedAndNotRecorded) {
       if (k == 5) walk.limits = {1, 0, static_cast<std::uint64_t>(chance.uniform(0, 50))};
       const WalkReport part = trace_walk(tracer, walk);
       EXPECT_LE(part.rays.size(), std::max<std::size_t>(walk.limits.rays, 1));
-      if (part.structure != Structure::none) { // the first ray is there always
+      if (part.form != StructureForm::none) { // the first ray is there always
         EXPECT_LE(recorded_bytes(part) - sizeof(WalkRay), walk.limits.bytes);
       }
       if (part.ended_early) {

@@ -52,11 +52,11 @@ Ray<float> any_ray(Chance& chance, Ray<float> ray) {
 }
 
 template <Query query, class M>
-void compare(const TestScene<float>& scene, const SceneView<float>& view, const Grid& grid,
+void compare(const TestScene<float>& scene, const SceneView<float>& view, const Structure& grid,
              const std::vector<Ray<float>>& rays, std::size_t first, std::int64_t& hits) {
   const auto check = [&](std::size_t i, const Hit<float>& found) {
     NoCounts counts;
-    const Hit<float> expected = trace_listed<query, M>(view, NoGrid{}, rays.at(i), counts);
+    const Hit<float> expected = trace_listed<query, M>(view, NoStructure{}, rays.at(i), counts);
     hits += expected.primitive != no_primitive;
     const Ray<float>& ray = rays[i];
     EXPECT_TRUE(found.primitive == no_primitive || query == Query::occlusion ||
@@ -97,7 +97,7 @@ std::int64_t compare_scenes(std::int64_t scenes, Chance& chance) {
       scene.cones.clear();
     }
     if (scene.count() == 0) continue;
-    const Grid grid = hierarchy_of(scene);
+    const Structure grid = hierarchy_of(scene);
     const SceneView<float> view = scene.view();
     const Boxd bounds = scene.bounds();
     RayMaker<float> maker(chance, scene, bounds, grid);
@@ -119,7 +119,7 @@ std::int64_t compare_scenes(std::int64_t scenes, Chance& chance) {
     for (Ray<float>& ray : rays) { // limits at hits
       if (!chance.one_in(4)) continue;
       NoCounts counts;
-      const Hit<float> hit = trace_listed<Query::nearest_hit, M>(view, NoGrid{}, ray, counts);
+      const Hit<float> hit = trace_listed<Query::nearest_hit, M>(view, NoStructure{}, ray, counts);
       if (hit.primitive == no_primitive) continue;
       const float t = chance.one_in(2) ? hit.t : chance.one_in(2) ? next_above(hit.t) : next_below(hit.t);
       (chance.one_in(2) ? ray.t_min : ray.t_max) = t;
@@ -157,7 +157,7 @@ TEST_F(RaysByEight, ShowOfEachPixelWhatItSeesAlone) {
                       chance_.one_in(2) ? 0 : 0.5F * share(),
                       1 + share()};
     const Boxd bounds = scene.bounds();
-    const Grid grid = hierarchy_of(scene);
+    const Structure grid = hierarchy_of(scene);
     RayMaker<float> maker(chance_, scene, bounds, grid);
     Light<float> lights[2];
     for (Light<float>& light : lights)
@@ -182,7 +182,7 @@ TEST_F(RaysByEight, ShowOfEachPixelWhatItSeesAlone) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       NoCounts counts;
       HitRecord hit{};
-      const Vec3f light = radiance<M>(view, NoGrid{}, rules, rays[i], hit, counts);
+      const Vec3f light = radiance<M>(view, NoStructure{}, rules, rays[i], hit, counts);
       hits += hit.name >= 0;
       const HitRecord& found = pixels.first_hit(i);
       EXPECT_TRUE(found.name == hit.name && same_bits(found.t, hit.t))

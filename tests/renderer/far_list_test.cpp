@@ -66,8 +66,9 @@ TEST_F(FarList, HasTheHitsOfDoubleFromAnyDistance) {
     const Vec3d at = chance_.one_in(2) ? Vec3d{0, 0, 0} : chance_.in_cube(chance_.power_of_two(0, 24));
     const double distance = chance_.power_of_two(2, 34);
     const Scene scene = scattered(chance_, at, 40);
-    const Rendering built(scene, Store::float32, "auto",
-                          {chance_.one_of({GridKind::uniform, GridKind::hierarchy, GridKind::irregular})});
+    const Rendering built(
+        scene, Store::float32, "auto",
+        {chance_.one_of({StructureKind::uniform, StructureKind::hierarchy, StructureKind::irregular})});
     SCOPED_TRACE(testing::Message() << distance << " from " << at.x << ' ' << at.y << ' ' << at.z);
     const std::vector<Ray<double>> rays = rays_at(chance_, scene, at, distance, 400);
     const Tracer tracer = built.tracer(), brute = built.tracer(Device::cpu, false);

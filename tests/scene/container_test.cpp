@@ -317,12 +317,12 @@ TEST(SceneFile, EmptySceneIsReadBack) {
   EXPECT_EQ(view.light_count, 0U);
 }
 
-TEST(GridFile, OfAnotherGeometryIsRefused) {
+TEST(StructureFile, OfAnotherGeometryIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
   const Hash hash{11, 22};
-  write_grid(tiny_grid(), tiny_grid_provenance(hash), path);
-  const GridFile grid(path);
+  write_structure(tiny_grid(), tiny_grid_provenance(hash), path);
+  const StructureFile grid(path);
   EXPECT_NO_THROW(grid.check_geometry(hash, tiny_scene_primitives));
   const auto check = [&](const Hash& geometry_hash, std::uint64_t primitives) {
     return is_refused([&](const std::string&) { grid.check_geometry(geometry_hash, primitives); }, path,
@@ -335,18 +335,27 @@ TEST(GridFile, OfAnotherGeometryIsRefused) {
   EXPECT_TRUE(check(hash, 0));
 }
 
-TEST(GridFile, RecordsItsProvenance) {
+TEST(StructureFile, RecordsItsProvenance) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
-  write_grid(tiny_grid(),
-             {{3, 4}, 4, {5, -6, 7e6}, SpaceRule::cube, Overlap::box, "cleary:2.5", "balance target 8", 1.25},
-             path);
-  const GridFile grid(path);
+  write_structure(tiny_grid(),
+                  {{3, 4},
+                   4,
+                   {5, -6, 7e6},
+                   SpaceRule::cube,
+                   Overlap::box,
+                   "cleary:2.5",
+                   "balance target 8",
+                   HierarchyQuality::fast,
+                   1.25},
+                  path);
+  const StructureFile grid(path);
   EXPECT_EQ(grid.origin(), (Vec3d{5, -6, 7e6}));
   EXPECT_EQ(grid.table().space_rule(), fb::Space::cube);
   EXPECT_EQ(grid.table().overlap(), fb::Overlap::box);
   EXPECT_EQ(grid.table().division_rule()->str(), "cleary:2.5");
   EXPECT_EQ(grid.table().merge_rule()->str(), "balance target 8");
+  EXPECT_EQ(grid.quality(), HierarchyQuality::fast);
   EXPECT_EQ(grid.table().build_seconds(), 1.25);
 }
 

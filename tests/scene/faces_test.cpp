@@ -24,15 +24,16 @@ using FaceNumbers = RandomTest;
 using FacesWithoutArea = RandomTest;
 using Fillers = RandomTest;
 
-constexpr std::array all_kinds{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
-                               GridKind::hierarchy};
+constexpr std::array all_kinds{StructureKind::uniform, StructureKind::x, StructureKind::balance,
+                               StructureKind::irregular, StructureKind::hierarchy};
 
 // --- Points ---------------------------------------------------------------------------------------------
 
 template <class Stored>
-Grid grid_of(const SceneView<Stored>& scene, GridKind kind, const GridLayout& layout, Overlap overlap) {
-  return kind == GridKind::hierarchy ? hierarchy_grid(scene, layout)
-                                     : build_grid(scene, layout, overlap, GridOptions{kind});
+Structure grid_of(const SceneView<Stored>& scene, StructureKind kind, const GridLayout& layout,
+                  Overlap overlap) {
+  return kind == StructureKind::hierarchy ? build_hierarchy(scene, layout)
+                                          : build_structure(scene, layout, overlap, StructureOptions{kind});
 }
 
 // Triangles of a scene with points among them; `numbers` are the others' numbers then.
@@ -71,12 +72,12 @@ TYPED_TEST(Points, AreInNoGridWhichIsAsWithoutThem) {
     std::vector<PrimitiveIndex> numbers;
     TestScene<Stored> more = with_points(chance, scene, numbers);
     GridLayout layout = random_layout<Stored>(chance, scene.bounds());
-    for (const GridKind kind : all_kinds) {
+    for (const StructureKind kind : all_kinds) {
       SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind));
-      if (kind == GridKind::irregular) layout.division = {3, 2, 4};
+      if (kind == StructureKind::irregular) layout.division = {3, 2, 4};
       const Overlap overlap = any_overlap(chance);
-      Grid without = grid_of(scene.view(), kind, layout, overlap);
-      const Grid with = grid_of(more.view(), kind, layout, overlap);
+      Structure without = grid_of(scene.view(), kind, layout, overlap);
+      const Structure with = grid_of(more.view(), kind, layout, overlap);
       for (PrimitiveIndex& reference : without.references)
         reference = numbers.at(reference & ~last_bit) | (reference & last_bit);
       EXPECT_TRUE(same_values(with.references, without.references));
@@ -92,8 +93,9 @@ TEST_F(FacesWithoutArea, ManyOfThemTakeNoSpaceInGrids) {
   add_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
   for (int i = 0; i < 100000; ++i)
     scene.triangles.push_back({{0, 0, 0}, 0, {0, 0, 0}, 0, {0, 0, 0}, no_normals});
-  for (const GridKind kind : all_kinds)
-    EXPECT_LE(Rendering(scene, Store::float32, "4", GridOptions{kind}).grid().references().size(), 4096U);
+  for (const StructureKind kind : all_kinds)
+    EXPECT_LE(Rendering(scene, Store::float32, "4", StructureOptions{kind}).grid().references().size(),
+              4096U);
   const Rendering rendering(scene, Store::float32);
   EXPECT_EQ(division_statistics(rendering.scene().view<float>()).all.primitives, 1U);
 }
@@ -146,9 +148,10 @@ TEST_F(FacesWithoutArea, AreNeverHit) {
     }
     const std::array meshes{mesh.view()};
     const Store store = chance_.one_in(3) ? Store::float64 : Store::float32;
-    for (const GridKind kind : all_kinds) {
-      const Rendering rendering(scene_of(meshes), store, "8", GridOptions{kind});
-      for (const GridFile* const grid : {&rendering.grid(), static_cast<const GridFile*>(nullptr)}) {
+    for (const StructureKind kind : all_kinds) {
+      const Rendering rendering(scene_of(meshes), store, "8", StructureOptions{kind});
+      for (const StructureFile* const grid :
+           {&rendering.grid(), static_cast<const StructureFile*>(nullptr)}) {
         const Tracer tracer(rendering.scene(), grid, Device::cpu);
         for (const Precision precision : {Precision::fast, Precision::robust, Precision::doubled}) {
           if (store == Store::float64 && precision != Precision::doubled) continue;
@@ -188,8 +191,8 @@ TEST_F(FacesWithoutArea, MakeASceneInWhichNothingIsHitWhereThereAreNoOthers) {
   mesh.add({0, 0, 0}, {1, 1, 1}, {1, 1, 1});
   mesh.add({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
   const std::array meshes{mesh.view()};
-  for (const GridKind kind : all_kinds) {
-    const Rendering rendering(scene_of(meshes), Store::automatic, "auto", GridOptions{kind});
+  for (const StructureKind kind : all_kinds) {
+    const Rendering rendering(scene_of(meshes), Store::automatic, "auto", StructureOptions{kind});
     EXPECT_FALSE(rendering.scene().is_float64());
     EXPECT_EQ(rendering.scene().primitive_count(), 2U);
     EXPECT_EQ(rendering.grid().references().size(), 0U);
@@ -247,8 +250,8 @@ TEST_F(Fillers, LetNoRayOut) {
       rays.push_back({from, 0, fma(q - p, chance_.uniform(0, 1), p) - from, INFINITY});
     }
     const Store store = chance_.one_in(3) ? Store::float64 : Store::float32;
-    for (const GridKind kind : all_kinds) {
-      const Rendering rendering(scene_of(meshes), store, "8", GridOptions{kind});
+    for (const StructureKind kind : all_kinds) {
+      const Rendering rendering(scene_of(meshes), store, "8", StructureOptions{kind});
       ASSERT_EQ(rendering.scene().primitive_count(), faces);
       for (const bool with_grid : {true, false}) {
         const Tracer tracer = rendering.tracer(Device::cpu, with_grid);

@@ -77,7 +77,7 @@ TEST_F(InputFiles, ThatAreNoRegularFilesAreRefusedAtOnce) {
   for (const std::string& path : {file("pipe"), std::string("/dev/zero"), std::string("/dev/null")}) {
     EXPECT_TRUE(is_refused([](const std::string& p) { InputFile{p}; }, path, "isn't a regular file"));
     EXPECT_TRUE(is_refused([](const std::string& p) { SceneFile{p}; }, path, "isn't a regular file"));
-    EXPECT_TRUE(is_refused([](const std::string& p) { GridFile{p}; }, path, "isn't a regular file"));
+    EXPECT_TRUE(is_refused([](const std::string& p) { StructureFile{p}; }, path, "isn't a regular file"));
   }
 }
 
@@ -137,10 +137,11 @@ TEST_F(InputFiles, StreamsOfPipesEndWithTheirWriters) {
 TEST_F(InputFiles, ScenesAndGridsInUseDontFollowTheirFiles) {
   auto random = seed_.engine();
   const Scene tiny = tiny_scene();
-  for (const Grid& grid : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
-    write_grid(grid, tiny_grid_provenance(write_scene(tiny, Store::float32, file("scene"))), file("grid"));
+  for (const Structure& grid : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
+    write_structure(grid, tiny_grid_provenance(write_scene(tiny, Store::float32, file("scene"))),
+                    file("grid"));
     const SceneFile scene(file("scene"));
-    const GridFile opened(file("grid"));
+    const StructureFile opened(file("grid"));
     const Tracer tracer(scene, &opened, Device::cpu);
     FrameRequest request;
     request.camera = tiny.camera;

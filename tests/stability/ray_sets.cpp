@@ -10,7 +10,7 @@ namespace {
 // Calls act(ray's index, surface point hit, ray's direction) for each ray, in parallel; the point is null for
 // a miss.
 template <class Stored, class Act>
-void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const Ray<double>> rays,
+void for_each_hit(const SceneFile& file, const StructureFile& grid, std::span<const Ray<double>> rays,
                   const Act& act) {
   const SceneView<Stored> scene = file.view<Stored>();
   const RayHits hits = Tracer(file, &grid, Device::cpu).hits(relative(RayList(rays)), {}, HitName::primitive);
@@ -26,7 +26,7 @@ void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const R
 }
 
 template <class Stored>
-std::vector<Ray<double>> diffuse(const SceneFile& file, const GridFile& grid,
+std::vector<Ray<double>> diffuse(const SceneFile& file, const StructureFile& grid,
                                  std::span<const Ray<double>> rays, std::uint64_t seed) {
   const Sphere<double> sphere = sphere_around(file.bounds());
   std::vector<Ray<double>> scattered(rays.size());
@@ -45,7 +45,7 @@ std::vector<Ray<double>> diffuse(const SceneFile& file, const GridFile& grid,
 }
 
 template <class Stored>
-std::vector<Ray<double>> shadow(const SceneFile& file, const GridFile& grid,
+std::vector<Ray<double>> shadow(const SceneFile& file, const StructureFile& grid,
                                 std::span<const Ray<double>> rays) {
   const SceneView<Stored> scene = file.view<Stored>();
   if (scene.light_count == 0) return {};
@@ -96,7 +96,7 @@ std::vector<Ray<double>> primary_rays(const SceneFile& scene, const Camera& came
   return scene.is_float64() ? primary<double>(local, order) : primary<float>(local, order);
 }
 
-std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const GridFile& grid,
+std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const StructureFile& grid,
                                       std::span<const Ray<double>> rays, std::uint64_t seed) {
   return scene.is_float64() ? diffuse<double>(scene, grid, rays, seed)
                             : diffuse<float>(scene, grid, rays, seed);
@@ -112,7 +112,7 @@ std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, 
   return rays;
 }
 
-std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const GridFile& grid,
+std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const StructureFile& grid,
                                      std::span<const Ray<double>> rays) {
   return scene.is_float64() ? shadow<double>(scene, grid, rays) : shadow<float>(scene, grid, rays);
 }

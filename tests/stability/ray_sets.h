@@ -16,7 +16,7 @@ std::vector<Ray<double>> primary_rays(const SceneFile& scene, const Camera& came
 
 // One ray from each hit of `rays`, in a direction with cosine distribution about the surface's normal; for a
 // miss, a ray of random_rays. The same seed gives the same rays.
-std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const GridFile& grid,
+std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const StructureFile& grid,
                                       std::span<const Ray<double>> rays, std::uint64_t seed);
 
 // Rays between two random points of the sphere around the scene's bounds; t = 1 is the second point.
@@ -24,7 +24,7 @@ std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, 
 
 // One ray from each hit of `rays` to a light, ray i to light i modulo their number; t = 1 is the light. None
 // for a miss.
-std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const GridFile& grid,
+std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const StructureFile& grid,
                                      std::span<const Ray<double>> rays);
 
 } // namespace masu

@@ -33,7 +33,7 @@ bool same_hit(const Hit<Real>& a, const Hit<Real>& b) {
 }
 
 template <class TestRay, class Stored>
-std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>& grids,
+std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Structure>& grids,
                          const std::vector<Ray<double>>& rays, StopRule stop) {
   using Real = typename TestRay::Real;
   using M = Method<TestRay, with_all_kinds>;
@@ -50,11 +50,11 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>
     return found;
   }
   for_each_ray([&](std::size_t i) {
-    first[i] = find<M>(scene, NoGrid{}, rays[i]);
+    first[i] = find<M>(scene, NoStructure{}, rays[i]);
     found[i] = {static_cast<double>(first[i].t), first[i].primitive, true};
   });
-  for (const Grid& grid : grids) {
-    with_grid_view<Real>(grid, [&](const auto& view) {
+  for (const Structure& grid : grids) {
+    with_structure_view<Real>(grid, [&](const auto& view) {
       for_each_ray([&](std::size_t i) {
         found[i].same = found[i].same && same_hit(find<M>(scene, view, rays[i]), first[i]);
       });
@@ -64,14 +64,14 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>
 }
 
 template <class Stored>
-std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
-                        const std::vector<GridWanted>& wanted) {
-  std::vector<Grid> grids;
-  for (const GridWanted& grid : wanted) {
+std::vector<Structure> build(const SceneView<Stored>& view, const Boxd& bounds,
+                             const std::vector<StructureWanted>& wanted) {
+  std::vector<Structure> grids;
+  for (const StructureWanted& grid : wanted) {
     const auto layout = layout_in<Stored>(bounds, grid.division);
-    if (grid.kind == GridKind::hierarchy && !fits_hierarchy(layout.space)) continue;
-    GridOptions options{grid.kind};
-    grids.push_back(build_grid(view, layout, Overlap::exact, options));
+    if (grid.kind == StructureKind::hierarchy && !fits_hierarchy(layout.space)) continue;
+    StructureOptions options{grid.kind};
+    grids.push_back(build_structure(view, layout, Overlap::exact, options));
   }
   return grids;
 }
@@ -109,7 +109,7 @@ std::vector<Found> trace_by_embree(const SceneView<float>& scene, const std::vec
 // Closest hits in each mode.
 template <class Stored>
 std::vector<std::vector<Found>> found_in(const std::vector<Mode>& modes, const SceneView<Stored>& view,
-                                         const std::vector<Grid>& grids,
+                                         const std::vector<Structure>& grids,
                                          const std::vector<Ray<double>>& rays) {
   std::vector<std::vector<Found>> found;
   for (const Mode& mode : modes) {
@@ -165,7 +165,7 @@ std::vector<Tally> judged_closest(const SceneView<Stored>& view, const Boxd& bou
 // What follows a hit.
 template <class Stored>
 std::vector<Tally> judged_by(Judge judge, const SceneView<Stored>& view, const Boxd& bounds,
-                             const std::vector<Grid>& grids, const Trial<Stored>& trial,
+                             const std::vector<Structure>& grids, const Trial<Stored>& trial,
                              const std::vector<Mode>& modes) {
   std::vector<Tally> tallies;
   for (const Mode& mode : modes) {
@@ -214,7 +214,7 @@ void run_step(const Sweep& sweep, Trial<Stored> trial, double step, bool with_em
   const SceneView<Stored> view = trial.scene.view();
   const Boxd bounds = trial.scene.bounds();
   const std::vector<Mode> modes = modes_for(view, sweep.judge, with_embree);
-  const std::vector<Grid> grids = build(view, bounds, trial.grids);
+  const std::vector<Structure> grids = build(view, bounds, trial.grids);
   std::vector<Tally> tallies;
   std::optional<Disagreement> disagreement;
   if (judges_hits(sweep.judge)) {
@@ -260,7 +260,7 @@ void run(const Sweep& sweep, const RunSettings& settings, const std::function<vo
   }
 }
 
-std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
+std::vector<Found> found_through(const SceneFile& scene, const StructureFile& grid,
                                  std::span<const Ray<double>> rays, const Mode& mode) {
   std::vector<Found> found(rays.size());
   TracingRules rules;

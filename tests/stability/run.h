@@ -50,7 +50,7 @@ struct RunSettings {
 void run(const Sweep& sweep, const RunSettings& settings, const std::function<void(const Row&)>& report);
 
 // Closest hits of rays through a grid file in one mode, on the CPU.
-std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
+std::vector<Found> found_through(const SceneFile& scene, const StructureFile& grid,
                                  std::span<const Ray<double>> rays, const Mode& mode);
 
 // The error bound of a precision for primitives within `bounds`; that of robust for fast, too.

@@ -64,8 +64,8 @@ TEST_F(HierarchyTool, ItsQualityIsToldAndMakesTheSameBytesForAnyNumberOfThreads)
   };
   const std::string one = fast("one.grid", "1");
   EXPECT_TRUE(read_bytes(one) == read_bytes(fast("three.grid", "3")));
-  EXPECT_EQ(json_of("gridstat", {one})["merge_rule"], "bvh fast");
-  EXPECT_EQ(json_of("gridstat", {hierarchy_})["merge_rule"], "bvh");
+  EXPECT_EQ(json_of("gridstat", {one})["quality"], "fast");
+  EXPECT_EQ(json_of("gridstat", {hierarchy_})["quality"], "high");
 }
 
 TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {

@@ -214,7 +214,7 @@ TEST_F(SliceTool, JsonHasTheOutlineAndTheWindowAskedFor) {
 TEST_F(SliceTool, ExportedCellsAreThoseOfTheGrid) {
   using Rows = std::vector<std::vector<double>>;
   for (const std::string& merge : merges) {
-    const GridFile divided(grid("a.grid", scene_, "5", {"--merge", merge}));
+    const StructureFile divided(grid("a.grid", scene_, "5", {"--merge", merge}));
     const GridLayout finest = finest_layout(divided);
     Rows all;
     for_each_cell(divided, {whole_of(finest.division)}, [&](const GridCell& cell) {

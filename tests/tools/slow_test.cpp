@@ -65,7 +65,7 @@ TEST_F(LargeFiles, GridsAreReadBackAsWritten) {
     return primitive == each - 1 ? primitive | last_bit : primitive;
   };
   {
-    Grid grid;
+    Structure grid;
     grid.layout = {{{0, 0, 0}, {1000, 1000, 1}}, {1000, 1000, 1}, 0};
     grid.voxel_map.resize(voxels);
     for (std::uint32_t i = 0; i < voxels; ++i)
@@ -73,12 +73,12 @@ TEST_F(LargeFiles, GridsAreReadBackAsWritten) {
     grid.references.resize(std::uint64_t{voxels} * each);
     for (std::uint64_t i = 0; i < grid.references.size(); ++i)
       grid.references[i] = reference(i);
-    GridProvenance provenance = tiny_grid_provenance({1, 2});
+    StructureProvenance provenance = tiny_grid_provenance({1, 2});
     provenance.primitives = each;
-    write_grid(grid, provenance, file("grid"));
+    write_structure(grid, provenance, file("grid"));
   }
   ASSERT_GT(std::filesystem::file_size(file("grid")), four_gib);
-  const GridFile read(file("grid"));
+  const StructureFile read(file("grid"));
   const auto references = read.references();
   ASSERT_EQ(references.size(), std::uint64_t{voxels} * each);
   for (std::uint64_t i = 0; i < references.size(); ++i)

@@ -71,7 +71,7 @@ Crossings count_crossings(const Settings& settings, const Tracer& tracer, const 
 void bench_crossings(const Settings& settings, Output& output) {
   const bool cuda = output.on_cuda(settings.backend);
   const SceneFile scene(settings.scene);
-  const GridFile grid(settings.grid);
+  const StructureFile grid(settings.grid);
   const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
   const Crossings all = scene.is_float64() ? count_crossings(settings, tracer, scene.view<double>())
                                            : count_crossings(settings, tracer, scene.view<float>());

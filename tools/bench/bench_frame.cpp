@@ -36,7 +36,7 @@ struct Settings {
 Json measure(const Settings& settings, const Tracer& tracer, const std::string& name,
              std::optional<ScreenDivision> division, HostArray<Vec3f>& picture) {
   const SceneFile& scene = tracer.scene();
-  const GridFile& grid = *tracer.grid();
+  const StructureFile& grid = *tracer.grid();
   const bool cuda = tracer.device() == Device::cuda;
   FrameRequest request;
   request.tracing = settings.tracing;
@@ -92,7 +92,7 @@ void bench_frame(const Settings& settings, Output& output) {
                settings.repeat, settings.warm_up, "grid", "schedule", "workers", "ms");
   HostArray<Vec3f> picture;
   for (const std::string& path : settings.grids) {
-    const GridFile grid(path);
+    const StructureFile grid(path);
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     for (const auto& [name, division] : all_schedules) {
       if (std::find(names.begin(), names.end(), name) == names.end()) continue;

@@ -47,7 +47,7 @@ Json measure(const Settings& settings, const Tracer& tracer, bool page_locked) {
 void bench_lists(const Settings& settings, Output& output) {
   static_cast<void>(output.on_cuda(Backend::cuda));
   const SceneFile scene(settings.scene);
-  const GridFile grid(settings.grid);
+  const StructureFile grid(settings.grid);
   const Tracer tracer(scene, &grid, Device::cuda);
   output.print("{} random rays, median of {}\n\n{:<12} {:>9} {:>9} {:>9} {:>12} {:>12}\n", settings.count,
                settings.repeat, "memory", "s", "Mray/s", "kernel s", "plain copy s", "copy / list");

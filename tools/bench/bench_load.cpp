@@ -28,7 +28,7 @@ struct Runs {
 std::uint64_t load(const Settings& settings, bool cuda, Runs& runs) {
   const Residence residence = cuda ? Residence::file : Residence::mapping;
   const SceneFile scene(settings.scene, residence);
-  const GridFile grid(settings.grid, residence);
+  const StructureFile grid(settings.grid, residence);
   runs.map.push_back(scene.load_seconds().map + grid.load_seconds().map);
   runs.validate.push_back(scene.load_seconds().validate + grid.load_seconds().validate);
   const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);

@@ -37,7 +37,7 @@ std::vector<Mode> modes_for(const Settings& settings, const SceneFile& scene) {
 
 constexpr std::size_t rays_a_batch = 1 << 17; // bounds the memory
 
-std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, const GridFile& grid,
+std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, const StructureFile& grid,
                              const std::vector<Mode>& modes) {
   const oracle::SceneOracle oracle = scene.is_float64() ? oracle::SceneOracle(scene.view<double>())
                                                         : oracle::SceneOracle(scene.view<float>());
@@ -69,7 +69,7 @@ std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, c
 
 void bench_oracle(const Settings& settings, Output& output) {
   const SceneFile scene(settings.scene);
-  const GridFile grid(settings.grid);
+  const StructureFile grid(settings.grid);
   grid.check_geometry(scene.geometry_hash(), scene.primitive_count());
   if (settings.first_cell_hit && grid.is_hierarchy())
     throw Error(ErrorCode::usage, "--first-cell-hit", "needs a grid of cells: a hierarchy has none");

@@ -58,7 +58,7 @@ std::string loop_for(const std::string& wanted, const RaySet& set, const Tracer&
 
 // All grids are measured by the same rays. Sets that begin at hit points are generated through the first
 // grid.
-std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, const GridFile& grid) {
+std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, const StructureFile& grid) {
   const std::vector<Ray<double>> primary =
       primary_rays(scene, resized(scene.camera(), settings.size), settings.order);
   std::vector<RaySet> sets;
@@ -82,7 +82,7 @@ void save(const RaySet& set, const std::string& prefix) {
 
 Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, const std::string& precision,
              const std::string& loop) {
-  const GridFile& grid = *tracer.grid();
+  const StructureFile& grid = *tracer.grid();
   const bool cuda = tracer.device() == Device::cuda;
   RaysRequest request{settings.tracing, set.query, all_loops.at(loop)};
   request.tracing.precision = resolved(all_precisions.at(precision), tracer.scene());
@@ -127,7 +127,7 @@ void print_row(const Output& output, const Json& row) {
 void bench_rays(const Settings& settings, Output& output) {
   const bool cuda = output.on_cuda(settings.backend);
   const SceneFile scene(settings.scene);
-  std::vector<GridFile> grids;
+  std::vector<StructureFile> grids;
   for (const std::string& path : settings.grids) {
     grids.emplace_back(path);
     grids.back().check_geometry(scene.geometry_hash(), scene.primitive_count());
@@ -141,7 +141,7 @@ void bench_rays(const Settings& settings, Output& output) {
       cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
       settings.order == RayOrder::tiles ? "tile" : "row", "rays", "prec.", "loop", "count", "Mray/s", "hit %",
       "tests", "cells", "empty");
-  for (const GridFile& grid : grids) {
+  for (const StructureFile& grid : grids) {
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     output.print("{}\n", printable(grid.path()));
     for (const RaySet& set : sets) {

@@ -54,7 +54,7 @@ TestScene<Stored> bent(TestScene<Stored> scene, double share) {
 
 // The median of what act() takes; on a GPU without copies.
 template <class Stored, class Act>
-double seconds_of(const GridBuilder<Stored>& builder, bool on_gpu, int repeat, const Act& act) {
+double seconds_of(const StructureBuilder<Stored>& builder, bool on_gpu, int repeat, const Act& act) {
   std::vector<double> seconds;
   for (int i = 0; i < repeat; ++i) {
     const double before = builder.device_seconds().build;
@@ -73,24 +73,24 @@ void measure(const Settings& settings, bool cuda, const SceneFile& file, Json& r
   };
   for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
     const bool on_gpu = cuda && quality == HierarchyQuality::fast;
-    GridOptions options{GridKind::hierarchy};
+    StructureOptions options{StructureKind::hierarchy};
     options.quality = quality;
-    const auto build = [&](GridBuilder<Stored>& builder, const TestScene<Stored>& of) {
+    const auto build = [&](StructureBuilder<Stored>& builder, const TestScene<Stored>& of) {
       return builder.build(layout_in<Stored>(of.bounds(), {1, 1, 1}), Overlap::exact, options);
     };
-    const Grid unbent = build(*builder_of(scene), scene);
+    const Structure unbent = build(*builder_of(scene), scene);
     for (const double bend : settings.bends) {
       TestScene<Stored> moved = bent(scene, bend / 100);
       const auto builder = builder_of(moved);
-      Grid built, refitted = unbent;
+      Structure built, refitted = unbent;
       const double build_seconds =
           seconds_of(*builder, on_gpu, settings.repeat, [&] { built = build(*builder, moved); });
       const double refit_seconds = seconds_of(*builder, cuda, settings.repeat, [&] {
         if (!builder->refit(layout_in<Stored>(moved.bounds(), {1, 1, 1}), refitted))
           throw Error(ErrorCode::input, settings.scene, "has faces that get an area by bending");
       });
-      const auto time_of = [&](const Grid& grid) {
-        return expected_time(sampled_costs(moved.view(), grid), GridKind::hierarchy,
+      const auto time_of = [&](const Structure& grid) {
+        return expected_time(sampled_costs(moved.view(), grid), StructureKind::hierarchy,
                              cuda ? Processor::gpu : Processor::cpu);
       };
       rows.push_back({{"quality", quality == HierarchyQuality::high ? "high" : "fast"},

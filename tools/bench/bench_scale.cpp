@@ -229,7 +229,7 @@ void bench_scale(const Settings& settings, Output& output) {
   const std::vector<int> gpus = settings.devices.gpus(ranks);
   const bool cuda = !gpus.empty();
   const SceneFile scene(settings.scene);
-  const GridFile grid(settings.grid);
+  const StructureFile grid(settings.grid);
   const Camera view = resized(scene.camera(), settings.size);
   const std::vector<Workers> all = steps(gpus);
   std::optional<HostList> list;

@@ -49,7 +49,7 @@ TradeoffSetup setup_of(const Settings& settings, bool cuda) {
 
 // The configurations of one grid.
 struct GridPlan {
-  GridKind merge;
+  StructureKind merge;
   std::string division;
   Overlap overlap;
   std::vector<Configuration> configurations;
@@ -70,20 +70,21 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   };
   for (const std::string& merge : settings.merges) {
     // A hierarchy has no division, no overlap test and no cells.
-    if (named<GridKind>(merge) == GridKind::hierarchy) {
+    if (named<StructureKind>(merge) == StructureKind::hierarchy) {
       for (const std::string& precision : settings.precisions)
         if (std::find(settings.stops.begin(), settings.stops.end(), "proven") != settings.stops.end())
-          add({named<Precision>(precision), StopRule::proven, GridKind::hierarchy, "auto", Overlap::exact});
+          add({named<Precision>(precision), StopRule::proven, StructureKind::hierarchy, "auto",
+               Overlap::exact});
       continue;
     }
     // The top level of an irregular grid always has the automatic division.
-    const bool own = named<GridKind>(merge) == GridKind::irregular;
+    const bool own = named<StructureKind>(merge) == StructureKind::irregular;
     for (const std::string& division : own ? std::vector<std::string>{"auto"} : settings.divisions) {
       static_cast<void>(parse_division(division));
       for (const std::string& overlap : settings.overlaps)
         for (const std::string& precision : settings.precisions)
           for (const std::string& stop : settings.stops)
-            add({named<Precision>(precision), named<StopRule>(stop), named<GridKind>(merge), division,
+            add({named<Precision>(precision), named<StopRule>(stop), named<StructureKind>(merge), division,
                  named<Overlap>(overlap)});
     }
   }
@@ -94,20 +95,20 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
     add({float64  ? Precision::doubled
          : robust ? Precision::robust
                   : named<Precision>(precisions.front()),
-         StopRule::proven, GridKind::uniform, division, Overlap::exact});
+         StopRule::proven, StructureKind::uniform, division, Overlap::exact});
   }
   return plan;
 }
 
-GridFile built(const SceneFile& scene, const GridPlan& plan) {
+StructureFile built(const SceneFile& scene, const GridPlan& plan) {
   BuildOptions options;
   options.division = parse_division(plan.division);
-  options.grid.kind = plan.merge;
+  options.structure.kind = plan.merge;
   options.overlap = plan.overlap;
   const auto [grid, provenance, considered] =
       scene.is_float64() ? build_chosen(*cpu_builder(scene.view<double>()), scene.geometry(), options)
                          : build_chosen(*cpu_builder(scene.view<float>()), scene.geometry(), options);
-  return grid_in_memory(grid, provenance);
+  return structure_in_memory(grid, provenance);
 }
 
 // A scene's name in charts and tables: its file's name with letters, digits, - . and _ only.
@@ -162,7 +163,7 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
   step();
   for (const GridPlan& plan_of_grid : plan) {
     if (plan_of_grid.configurations.empty()) continue;
-    const GridFile grid = built(scene, plan_of_grid);
+    const StructureFile grid = built(scene, plan_of_grid);
     for (const Configuration& configuration : plan_of_grid.configurations) {
       rows.push_back({name, hash, setup, configuration, measure(task, grid, configuration)});
       csv.add(rows.back());

@@ -66,7 +66,7 @@ std::vector<Ray<float>> rounded(std::span<const Ray<double>> rays) {
 }
 
 std::map<std::string, std::vector<Ray<float>>> ray_sets(const Settings& settings, const SceneFile& scene,
-                                                        const GridFile& grid) {
+                                                        const StructureFile& grid) {
   const std::vector<Ray<double>> primary =
       primary_rays(scene, resized(scene.camera(), settings.size), RayOrder::tiles);
   std::map<std::string, std::vector<Ray<float>>> sets;
@@ -78,7 +78,7 @@ std::map<std::string, std::vector<Ray<float>>> ray_sets(const Settings& settings
   return sets;
 }
 
-Contestant masu_with(const SceneFile& scene, const GridFile& grid) {
+Contestant masu_with(const SceneFile& scene, const StructureFile& grid) {
   const auto tracer = std::make_shared<Tracer>(scene, &grid, Device::cpu);
   return {grid.path(), false, [tracer](std::span<const Ray<float>> rays, Hits& hits) {
             RayResults results;
@@ -191,7 +191,7 @@ void bench_cpu_rays(const Settings& settings) {
   if (scene.is_float64())
     throw Error(ErrorCode::input, settings.scene,
                 "holds float64 coordinates, which Embree doesn't: make it with nff2bin --store float32");
-  std::deque<GridFile> grids;
+  std::deque<StructureFile> grids;
   std::vector<Contestant> contestants;
   for (const std::string& path : settings.grids)
     contestants.push_back(masu_with(scene, grids.emplace_back(path)));

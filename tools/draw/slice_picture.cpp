@@ -352,7 +352,7 @@ std::string by_by(const Vec3i& n) {
   return fmt::format("{} x {} x {}", n.x, n.y, n.z);
 }
 
-std::string title_of(const GridFile& file, const SlicePlane& plane, const GridLayout& finest) {
+std::string title_of(const StructureFile& file, const SlicePlane& plane, const GridLayout& finest) {
   const std::string title =
       fmt::format("{}, {} = {:.5g}", std::filesystem::path(file.path()).filename().string(),
                   "xyz"[plane.axis], plane.position);
@@ -374,7 +374,7 @@ const char* kind_of(fb::Merge merge) {
   }
 }
 
-std::string subtitle_of(const GridFile& file, const SliceWindow& window, bool has_outline) {
+std::string subtitle_of(const StructureFile& file, const SliceWindow& window, bool has_outline) {
   std::string text = file.is_hierarchy() ? fmt::format("hierarchy, {} nodes", file.nodes().size())
                                          : fmt::format("{}, {} voxels", kind_of(file.table().merge()),
                                                        by_by(file.layout().division));
@@ -386,7 +386,7 @@ std::string subtitle_of(const GridFile& file, const SliceWindow& window, bool ha
 
 } // namespace
 
-void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
+void write_slice(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
                  std::span<const SectionSegment> outline, const SliceStyle& style, const std::string& path) {
   const bool is_svg = path.ends_with(".svg");
   if (path.ends_with(".json")) {

@@ -28,7 +28,7 @@ inline constexpr std::int32_t least_slice_size = 64, most_slice_size = 4096;
 // Written as PNG, SVG or JSON by the path's ending. `outline`: may be empty. Throws Error(usage) for an SVG
 // of more than 2^18 or a JSON of more than 2^22 cells and for volumes of a
 // hierarchy, Error(output).
-void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
+void write_slice(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
                  std::span<const SectionSegment> outline, const SliceStyle& style, const std::string& path);
 
 } // namespace masu

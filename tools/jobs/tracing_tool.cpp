@@ -103,7 +103,7 @@ void add_hit_name(const CommandLine& command, HitName& name, const std::string& 
 OpenedScene::OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& gpus)
     : faults_(tool), gpus_(gpus), scene_(options.scene, gpus.empty() ? Residence::mapping : Residence::file),
       grid_(options.brute_force ? nullptr
-                                : std::make_unique<const GridFile>(
+                                : std::make_unique<const StructureFile>(
                                       options.grid, gpus.empty() ? Residence::mapping : Residence::file)),
       tracer_(scene_, grid_.get(), gpus.empty() ? Device::cpu : Device::cuda, gpus) {}
 

@@ -44,7 +44,7 @@ void add_hit_name(const CommandLine& command, HitName& name, const std::string& 
 // The scene and the grid, and what traces rays through them.
 class OpenedScene {
 public:
-  // gpus: none for the CPU. Throws as SceneFile, GridFile and Tracer do.
+  // gpus: none for the CPU. Throws as SceneFile, StructureFile and Tracer do.
   OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& gpus);
 
   const SceneFile& scene() const { return scene_; }
@@ -62,7 +62,7 @@ private:
   const MappingFaults faults_;
   const std::vector<int> gpus_;
   const SceneFile scene_;
-  const std::unique_ptr<const GridFile> grid_; // none with --brute-force
+  const std::unique_ptr<const StructureFile> grid_; // none with --brute-force
   const Tracer tracer_;
 };
 

@@ -41,12 +41,12 @@ struct [[gnu::packed]] Face {
 };
 static_assert(sizeof(Corner) == 31 && sizeof(Face) == 17);
 
-void for_each_exported(const GridFile& file, const CellExport& options,
+void for_each_exported(const StructureFile& file, const CellExport& options,
                        const std::function<void(const StructureBox&)>& act) {
   for_each_box(file, {options.within, options.occupied_only}, act);
 }
 
-void write_csv(const GridFile& file, const CellExport& options, OutputFile& out) {
+void write_csv(const StructureFile& file, const CellExport& options, OutputFile& out) {
   fmt::memory_buffer text;
   const auto end = std::back_inserter(text);
   const auto flush = [&] {
@@ -81,7 +81,7 @@ void write_csv(const GridFile& file, const CellExport& options, OutputFile& out)
 }
 
 // Corners of all cells stand before all faces, and the head has their numbers: three passes over the cells.
-void write_ply(const GridFile& file, const CellExport& options, OutputFile& out) {
+void write_ply(const StructureFile& file, const CellExport& options, OutputFile& out) {
   std::uint64_t cells = 0;
   std::uint32_t most = 1; // references of a cell
   for_each_exported(file, options, [&](const StructureBox& cell) {
@@ -131,7 +131,7 @@ void write_ply(const GridFile& file, const CellExport& options, OutputFile& out)
 
 } // namespace
 
-void export_cells(const GridFile& file, const CellExport& options, const std::string& path) {
+void export_cells(const StructureFile& file, const CellExport& options, const std::string& path) {
   OutputFile out(path);
   if (path.ends_with(".csv"))
     write_csv(file, options, out);

@@ -24,6 +24,6 @@ struct CellExport {
 // (references); 6 quads that face outwards, or 12 edges.
 //
 // Throws Error(usage, path, …) for more cells than a PLY can number, Error(output).
-void export_cells(const GridFile& file, const CellExport& options, const std::string& path);
+void export_cells(const StructureFile& file, const CellExport& options, const std::string& path);
 
 } // namespace masu

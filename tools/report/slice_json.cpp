@@ -19,7 +19,7 @@ std::vector<SectionSegment> outline_of(const SceneFile& scene, const SlicePlane&
   return scene.is_float64() ? section_of(scene.view<double>(), cut) : section_of(scene.view<float>(), cut);
 }
 
-SliceCellsJson slice_cells_json(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
+SliceCellsJson slice_cells_json(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
                                 std::size_t most, bool without_empty) {
   const auto number = [](double at) { // 3 rather than 3.0
     const bool is_whole = std::abs(at) < 0x1p53 && at == std::floor(at);
@@ -36,8 +36,9 @@ SliceCellsJson slice_cells_json(const GridFile& file, const SlicePlane& plane, c
   return json;
 }
 
-nlohmann::ordered_json slice_json(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
-                                  std::span<const SectionSegment> outline, std::size_t most) {
+nlohmann::ordered_json slice_json(const StructureFile& file, const SlicePlane& plane,
+                                  const SliceWindow& window, std::span<const SectionSegment> outline,
+                                  std::size_t most) {
   const GridLayout finest = finest_layout(file);
   const std::array<int, 2> axes = slice_axes(plane.axis);
   const Boxd& space = finest.space;

@@ -23,15 +23,15 @@ struct SliceCellsJson {
   nlohmann::ordered_json cells = nlohmann::ordered_json::array();
   bool is_truncated = false;
 };
-SliceCellsJson slice_cells_json(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
+SliceCellsJson slice_cells_json(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
                                 std::size_t most, bool without_empty = false);
 
 // {"structure": "grid" or "bvh", "axis", "axes", "layer", "position", "space", "voxels", "nested_log2",
 // "window", "cells": slice_cells_json(), "outline": [[from u, from v, to u, to v, primitive], …]}: cells
 // in the smallest voxels, else scene units. The space of a hierarchy is one voxel. Throws Error(usage,
 // "--slice") for more than `most` cells.
-nlohmann::ordered_json slice_json(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
-                                  std::span<const SectionSegment> outline,
+nlohmann::ordered_json slice_json(const StructureFile& file, const SlicePlane& plane,
+                                  const SliceWindow& window, std::span<const SectionSegment> outline,
                                   std::size_t most = std::size_t{1} << 22);
 
 } // namespace masu

@@ -24,33 +24,33 @@ Vec3d position(const WalkRay& ray) {
   return ray.origin + ray.direction * static_cast<double>(ray.t);
 }
 
-bool is_grid(Structure structure) {
-  return structure == Structure::uniform || structure == Structure::merged;
+bool is_grid(StructureForm form) {
+  return form == StructureForm::uniform || form == StructureForm::merged;
 }
 
-Json json_of(const WalkStep& step, Structure structure) {
+Json json_of(const WalkStep& step, StructureForm form) {
   Json tests = Json::array();
   for (const WalkTest& test : step.tests)
     tests.push_back({{"primitive", test.primitive}, {"t", finite(test.t)}, {"kept", test.kept}});
   const Json voxels =
-      is_grid(structure) ? Json{{"first", step.voxels.first}, {"end", step.voxels.end}} : Json();
+      is_grid(form) ? Json{{"first", step.voxels.first}, {"end", step.voxels.end}} : Json();
   const WalkNode& node = step.node;
-  const Json visited = structure == Structure::hierarchy ? Json{{"index", node.index},
-                                                                {"depth", node.depth},
-                                                                {"boxes_met", node.met},
-                                                                {"boxes_missed", node.missed},
-                                                                {"boxes_beyond", node.beyond}}
-                                                         : Json();
+  const Json visited = form == StructureForm::hierarchy ? Json{{"index", node.index},
+                                                               {"depth", node.depth},
+                                                               {"boxes_met", node.met},
+                                                               {"boxes_missed", node.missed},
+                                                               {"boxes_beyond", node.beyond}}
+                                                        : Json();
   return {{"voxels", voxels},          {"node", visited},
           {"box", step.box},           {"enter", finite(step.enter)},
           {"exit", finite(step.exit)}, {"references", step.references},
           {"tests", std::move(tests)}};
 }
 
-Json json_of(const WalkRay& ray, Structure structure) {
+Json json_of(const WalkRay& ray, StructureForm form) {
   Json steps = Json::array();
   for (const WalkStep& step : ray.steps)
-    steps.push_back(json_of(step, structure));
+    steps.push_back(json_of(step, form));
   const Json hit = hits(ray) ? Json{{"t", ray.t},
                                     {"primitive", ray.primitive},
                                     {"object", ray.object},
@@ -95,29 +95,29 @@ std::string outcome(const WalkTest& test) {
 }
 
 // A cell's voxels, or a node and what became of its boxes.
-std::string place_of(const WalkStep& step, Structure structure) {
-  if (is_grid(structure)) return text_of(step.voxels);
-  if (structure == Structure::none) return "everything";
+std::string place_of(const WalkStep& step, StructureForm form) {
+  if (is_grid(form)) return text_of(step.voxels);
+  if (form == StructureForm::none) return "everything";
   const WalkNode& node = step.node;
   return fmt::format("{:<6} {:>5} {:>4} {:>6} {:>6}", node.index, node.depth, node.met, node.missed,
                      node.beyond);
 }
-const char* place_title(Structure structure) {
-  return structure == Structure::hierarchy ? "node   depth  met missed beyond" : "voxels x y z";
+const char* place_title(StructureForm form) {
+  return form == StructureForm::hierarchy ? "node   depth  met missed beyond" : "voxels x y z";
 }
 
-void append(std::string& text, const WalkRay& ray, std::size_t index, Structure structure) {
+void append(std::string& text, const WalkRay& ray, std::size_t index, StructureForm form) {
   auto out = std::back_inserter(text);
   fmt::format_to(out, "ray {}: {}{}\n", index, name_of(ray.kind),
                  ray.parent < 0 ? "" : fmt::format(", spawned by ray {}", ray.parent));
   fmt::format_to(out, "  origin {}   direction {}\n", text_of(ray.origin), text_of(ray.direction));
   if (ray.t_min > 0 || std::isfinite(ray.t_max))
     fmt::format_to(out, "  t_min {:.7g}   t_max {:.7g}\n", ray.t_min, ray.t_max);
-  const std::string title = place_title(structure);
+  const std::string title = place_title(form);
   std::size_t widest = title.size();
   for (const WalkStep& step : ray.steps)
-    widest = std::max(widest, place_of(step, structure).size());
-  const bool is_hierarchy = structure == Structure::hierarchy;
+    widest = std::max(widest, place_of(step, form).size());
+  const bool is_hierarchy = form == StructureForm::hierarchy;
   if (!ray.steps.empty())
     fmt::format_to(out, "{:>5} {:<{}} {:>9} {:>9}  tests: primitive, t\n", is_hierarchy ? "step" : "cell",
                    title, widest, "t enter", "t exit");
@@ -125,7 +125,7 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, Structure 
     const WalkStep& step = ray.steps[i];
     const std::size_t line = text.size();
     fmt::format_to(out, "{:>5} {:<{}} {:>9.6g} {:>9.6g}  ",
-                   structure != Structure::none ? fmt::format("{}", i) : "-", place_of(step, structure),
+                   form != StructureForm::none ? fmt::format("{}", i) : "-", place_of(step, form),
                    widest, step.enter, step.exit);
     const std::size_t indent = text.size() - line;
     if (step.tests.empty()) text += "none\n";
@@ -147,10 +147,10 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, Structure 
 Json walk_json(const WalkReport& report) {
   Json rays = Json::array();
   for (const WalkRay& ray : report.rays)
-    rays.push_back(json_of(ray, report.structure));
-  const Json division = is_grid(report.structure) ? Json(report.division) : Json();
+    rays.push_back(json_of(ray, report.form));
+  const Json division = is_grid(report.form) ? Json(report.division) : Json();
   const Json grid =
-      report.structure == Structure::none ? Json() : Json{{"division", division}, {"space", report.space}};
+      report.form == StructureForm::none ? Json() : Json{{"division", division}, {"space", report.space}};
   return {{"grid", grid}, {"rays", std::move(rays)}};
 }
 
@@ -158,13 +158,13 @@ std::string walk_table(const WalkReport& report) {
   std::string text;
   std::uint64_t cells = 0, tests = 0;
   for (std::size_t i = 0; i < report.rays.size(); ++i) {
-    append(text, report.rays[i], i, report.structure);
+    append(text, report.rays[i], i, report.form);
     cells += report.rays[i].cells;
     tests += report.rays[i].tests;
   }
   if (report.rays.size() > 1)
     text += fmt::format("all {} rays: {}, {}\n", report.rays.size(),
-                        counted(cells, report.structure == Structure::hierarchy ? "node" : "cell"),
+                        counted(cells, report.form == StructureForm::hierarchy ? "node" : "cell"),
                         counted(tests, "test"));
   return text;
 }

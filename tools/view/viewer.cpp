@@ -13,8 +13,8 @@
 #include "tools/common/vector_json.h"
 #include "tools/draw/color_map.h"
 #include "tools/report/counts_report.h"
-#include "tools/report/grid_report.h"
 #include "tools/report/slice_json.h"
+#include "tools/report/structure_report.h"
 #include "tools/report/walk_text.h"
 
 #include <tbb/parallel_for.h>
@@ -92,7 +92,7 @@ PictureRows channel(const Tracer& tracer, const PictureRequest& request, const F
   return rows;
 }
 
-SlicePlane plane_of(const GridFile& file, const SharePlane& plane) {
+SlicePlane plane_of(const StructureFile& file, const SharePlane& plane) {
   return plane_at_share(finest_layout(file), plane.axis, plane.share, "share");
 }
 
@@ -234,7 +234,7 @@ Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
 }
 
 Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
-  const GridFile& file = grid(request.grid).file;
+  const StructureFile& file = grid(request.grid).file;
   const GridLayout finest = finest_layout(file);
   const int axis = request.plane.axis;
   const auto [u, v] = slice_axes(axis);
@@ -267,7 +267,7 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
 }
 
 Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
-  const GridFile& file = grid(request.grid).file;
+  const StructureFile& file = grid(request.grid).file;
   return turns_.run(is_gone, [&] {
     Json boxes = Json::array();
     std::size_t count = 0;
@@ -285,7 +285,7 @@ Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
 Json Viewer::description() const {
   Json grids = Json::array();
   for (const auto& grid : grids_) {
-    const fb::Grid& table = grid->file.table();
+    const fb::Structure& table = grid->file.table();
     grids.push_back({{"name", file_name(grid->file.path())},
                      {"path", grid->file.path()},
                      {"structure", grid->file.is_hierarchy() ? "bvh" : "grid"},
@@ -318,7 +318,7 @@ Json Viewer::description() const {
 Json Viewer::statistics(std::size_t grid, const IsGone& is_gone) const {
   ViewedGrid& viewed = *grids_.at(grid);
   return turns_.run(is_gone, [&] { // one at a time
-    if (viewed.statistics.is_null()) viewed.statistics = grid_report(viewed.file, true);
+    if (viewed.statistics.is_null()) viewed.statistics = structure_report(viewed.file, true);
     return viewed.statistics;
   });
 }

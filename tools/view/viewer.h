@@ -23,7 +23,7 @@ namespace masu {
 
 // Lives where it was made: tracers refer to the files.
 struct ViewedGrid {
-  GridFile file; // a grid or a hierarchy
+  StructureFile file; // a grid or a hierarchy
   Tracer tracer;
   std::int32_t greatest_depth;         // of its cells or boxes
   nlohmann::ordered_json statistics{}; // null: not made yet
@@ -103,7 +103,7 @@ using IsGone = std::function<bool()>;
 // Threads may ask at the same time.
 class Viewer {
 public:
-  // Throws as SceneFile, GridFile and Tracer do.
+  // Throws as SceneFile, StructureFile and Tracer do.
   explicit Viewer(const ViewerSettings& settings);
 
   const SceneFile& scene() const { return scene_; }

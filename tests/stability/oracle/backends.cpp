@@ -31,16 +31,16 @@ Scene scene_of(const TestScene<Stored>& trial) {
 }
 
 template <class Stored>
-GridFile built(const SceneFile& scene, const GridWanted& wanted) {
+StructureFile built(const SceneFile& scene, const StructureWanted& wanted) {
   const SceneView<Stored> view = scene.view<Stored>();
   const auto layout = layout_in<Stored>(scene.bounds(), wanted.division);
-  GridOptions options{wanted.kind};
-  return grid_in_memory(build_grid(view, layout, Overlap::exact, options),
-                        {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
-                         Overlap::exact, "stability", ""});
+  StructureOptions options{wanted.kind};
+  return structure_in_memory(build_structure(view, layout, Overlap::exact, options),
+                             {scene.geometry_hash(), scene.primitive_count(), scene.origin(),
+                              SpaceRule::tight, Overlap::exact, "stability", ""});
 }
 
-std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const Ray<double>> rays,
+std::uint64_t differing(const SceneFile& scene, const StructureFile& grid, std::span<const Ray<double>> rays,
                         Precision precision) {
   RaysRequest request{{precision}};
   const RayHits cpu = Tracer(scene, &grid, Device::cpu).hits(rays, request, HitName::primitive);
@@ -63,8 +63,8 @@ void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
                                           Vec3d{0, 0, 0}); // what the sweeps vary
   for (const Mode& mode : float64 ? std::vector<Mode>{doubled} : std::vector<Mode>{fast, robust, doubled}) {
     Difference difference{sweep.name, step, mode, float64, trial.rays.size(), 0};
-    for (const GridWanted& wanted : trial.grids) {
-      if (wanted.kind == GridKind::hierarchy &&
+    for (const StructureWanted& wanted : trial.grids) {
+      if (wanted.kind == StructureKind::hierarchy &&
           !fits_hierarchy(space_of<Stored>(scene.bounds(), SpaceRule::tight)))
         continue;
       difference.differing += differing(scene, built<Stored>(scene, wanted), trial.rays, mode.precision);

@@ -69,7 +69,7 @@ Vec3d middle_of_triangles(const SceneView<Stored>& scene) {
 }
 
 template <class TestRay, class Stored>
-Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& grids,
+Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Structure>& grids,
                      const Trial<Stored>& trial, double slack) {
   using Real = typename TestRay::Real;
   using M = Method<TestRay, with_all_kinds>;
@@ -82,13 +82,13 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
       const Hit<Real> other = nearest_hit<M>(scene, view, ray, counts);
       same = same && other.primitive == hit.primitive && same_bits(other.t, hit.t);
     };
-    for (const Grid& grid : grids)
-      with_grid_view<Real>(grid, compare);
+    for (const Structure& grid : grids)
+      with_structure_view<Real>(grid, compare);
     return same;
   };
   return tallied(trial.rays.size(), [&](std::size_t i, Tally& tally) {
     NoCounts counts;
-    const auto near = nearest_hit_near<M>(scene, NoGrid{}, unit_ray<Real>(trial.rays[i]), counts);
+    const auto near = nearest_hit_near<M>(scene, NoStructure{}, unit_ray<Real>(trial.rays[i]), counts);
     if (near.hit.primitive == no_primitive) return;
     // Near an edge the offset of the ray's origin may lead through the adjacent face.
     if (!oracle.closest(trial.rays[i], 2 * slack).sure) {
@@ -108,7 +108,7 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
                                          : normalized(normalized(aim - outwards * dot(aim, outwards)) +
                                                       outwards * (side * trial.sines[i])));
       const Ray<Real> ray = unbounded_ray(leaving(point, direction), direction);
-      const Hit<Real> hit = nearest_hit<M>(scene, NoGrid{}, ray, counts);
+      const Hit<Real> hit = nearest_hit<M>(scene, NoStructure{}, ray, counts);
       tally.by_grid += same_by_grids(ray, hit) ? 0 : 1;
       const bool is_closed = primitive < scene.triangle_count + scene.sphere_count;
       if (side > 0 && hit.primitive != no_primitive && body_of(scene, hit.primitive) == body)
@@ -121,7 +121,7 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
 // --- Glass ----------------------------------------------------------------------------------------------
 
 template <class TestRay, class Stored>
-Tally judged_glass(SceneView<Stored> scene, const std::vector<Grid>& grids, const Trial<Stored>& trial) {
+Tally judged_glass(SceneView<Stored> scene, const std::vector<Structure>& grids, const Trial<Stored>& trial) {
   using Real = typename TestRay::Real;
   using M = Method<TestRay, with_all_kinds>;
   scene.background = {1, 1, 1};
@@ -130,7 +130,7 @@ Tally judged_glass(SceneView<Stored> scene, const std::vector<Grid>& grids, cons
     const Ray<Real> ray = unit_ray<Real>(trial.rays[i]);
     NoCounts counts;
     HitRecord first{};
-    const Vec3f light = radiance<M>(scene, NoGrid{}, rules, ray, first, counts);
+    const Vec3f light = radiance<M>(scene, NoStructure{}, rules, ray, first, counts);
     bool good = true, same = true;
     for (const float channel : {light.x, light.y, light.z})
       good = good && channel >= 0 && channel <= 1 + 1e-5F; // nor NaN
@@ -138,8 +138,8 @@ Tally judged_glass(SceneView<Stored> scene, const std::vector<Grid>& grids, cons
       const Vec3f other = radiance<M>(scene, view, rules, ray, first, counts);
       same = same && same_bits(other, light);
     };
-    for (const Grid& grid : grids)
-      with_grid_view<Real>(grid, compare);
+    for (const Structure& grid : grids)
+      with_structure_view<Real>(grid, compare);
     tally.wrong += good ? 0 : 1;
     tally.by_grid += same ? 0 : 1;
   });
@@ -160,7 +160,7 @@ Tally judged_refraction(const SceneView<Stored>& scene, const Trial<Stored>& tri
   return tallied(trial.rays.size(), [&](std::size_t i, Tally& tally) {
     NoCounts counts;
     const Ray<Real> ray = unit_ray<Real>(trial.rays[i]);
-    const auto near = nearest_hit_near<M>(scene, NoGrid{}, ray, counts);
+    const auto near = nearest_hit_near<M>(scene, NoStructure{}, ray, counts);
     if (near.hit.primitive == no_primitive) return void(++tally.unsure); // missed the surface, seen edge-on
     const SurfacePoint<Real> point = surface_at<with_all_kinds>(scene, near);
     const Facing<Real> side = facing(point, ray.direction);

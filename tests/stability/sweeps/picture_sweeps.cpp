@@ -77,15 +77,15 @@ public:
   }
 
 private:
-  GridFile built(const auto& view) const {
+  StructureFile built(const auto& view) const {
     BuildOptions options; // pictures are the same through any grid: one that is built at once
-    options.grid = {.kind = GridKind::hierarchy, .quality = HierarchyQuality::fast};
+    options.structure = {.kind = StructureKind::hierarchy, .quality = HierarchyQuality::fast};
     const auto [grid, provenance, considered] = build_chosen(*cpu_builder(view), file_.geometry(), options);
-    return grid_in_memory(grid, provenance);
+    return structure_in_memory(grid, provenance);
   }
 
   SceneFile file_;
-  GridFile grid_;
+  StructureFile grid_;
 };
 
 } // namespace

@@ -16,9 +16,9 @@
 namespace masu::stability {
 
 // Build options of a grid. Results must be independent of it.
-struct GridWanted {
+struct StructureWanted {
   Vec3i division;
-  GridKind kind;
+  StructureKind kind;
 };
 
 // Scene and rays of one step, rounded to the store, so that every precision traces the same.
@@ -26,11 +26,11 @@ template <class Stored>
 struct Trial {
   TestScene<Stored> scene;
   std::vector<Ray<double>> rays;
-  std::vector<GridWanted> grids{{{7, 6, 5}, GridKind::uniform},
-                                {{40, 33, 64}, GridKind::uniform},
-                                {{3, 4, 2}, GridKind::irregular},
-                                {{16, 16, 16}, GridKind::x},
-                                {{1, 1, 1}, GridKind::hierarchy}};
+  std::vector<StructureWanted> grids{{{7, 6, 5}, StructureKind::uniform},
+                                     {{40, 33, 64}, StructureKind::uniform},
+                                     {{3, 4, 2}, StructureKind::irregular},
+                                     {{16, 16, 16}, StructureKind::x},
+                                     {{1, 1, 1}, StructureKind::hierarchy}};
   std::vector<Vec3d> aims{}; // leaving: a random unit vector for each ray
   // leaving: the sine of each ray's angle to the surface that it leaves; none: not grazing
   std::vector<double> sines{};

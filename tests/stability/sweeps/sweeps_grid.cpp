@@ -77,10 +77,11 @@ Trial<Stored> on_faces(Chance& chance, double parameter, std::size_t rays) {
     trial.rays.push_back(ray);
     if (chance.one_in(3)) trial.rays.back().origin = kept<Stored>(ray.origin - ray.direction * 4.0);
   }
-  trial.grids = {{{voxels, voxels, voxels}, GridKind::uniform},
-                 {{voxels, voxels, voxels}, GridKind::x},
-                 {{std::min(voxels, 64), std::min(voxels, 64), std::min(voxels, 64)}, GridKind::irregular},
-                 {{1, 1, 1}, GridKind::hierarchy}};
+  trial.grids = {
+      {{voxels, voxels, voxels}, StructureKind::uniform},
+      {{voxels, voxels, voxels}, StructureKind::x},
+      {{std::min(voxels, 64), std::min(voxels, 64), std::min(voxels, 64)}, StructureKind::irregular},
+      {{1, 1, 1}, StructureKind::hierarchy}};
   return trial;
 }
 
@@ -91,11 +92,11 @@ Trial<Stored> divided_by(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial{random_scene<Stored>(chance, {0, 0, 0}, 1),
                       rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
   const std::int32_t few = std::min(voxels, 128), many = std::min(voxels, 512);
-  trial.grids = {{{voxels, 5, 3}, GridKind::uniform},
-                 {{2, voxels, 7}, GridKind::x},
-                 {{few, few, few}, GridKind::uniform},
-                 {{many, 4, many}, GridKind::uniform},
-                 {{few / 2 + 1, few / 4 + 1, few / 8 + 1}, GridKind::irregular}};
+  trial.grids = {{{voxels, 5, 3}, StructureKind::uniform},
+                 {{2, voxels, 7}, StructureKind::x},
+                 {{few, few, few}, StructureKind::uniform},
+                 {{many, 4, many}, StructureKind::uniform},
+                 {{few / 2 + 1, few / 4 + 1, few / 8 + 1}, StructureKind::irregular}};
   return trial;
 }
 

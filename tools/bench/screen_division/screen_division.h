@@ -53,9 +53,9 @@ inline Frame picture_frame(FrameRequest request) {
   request.hits = request.costs = false;
   return sized_frame(request);
 }
-DividedFrame render_divided_cpu(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,
-                                ScreenDivision division, int workers_each);
-DividedFrame render_divided_cuda(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,
-                                 ScreenDivision division, int workers_each);
+DividedFrame render_divided_cpu(const SceneFile& scene, const StructureFile& grid,
+                                const FrameRequest& request, ScreenDivision division, int workers_each);
+DividedFrame render_divided_cuda(const SceneFile& scene, const StructureFile& grid,
+                                 const FrameRequest& request, ScreenDivision division, int workers_each);
 
 } // namespace masu

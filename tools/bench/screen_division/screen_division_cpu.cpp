@@ -14,8 +14,8 @@ namespace {
 
 using M = Method<WatertightRay<float>, with_all_kinds>;
 
-template <class Grid>
-void render_tiles(const SceneView<float>& scene, const Grid& grid, const FrameRequest& request,
+template <class Structure>
+void render_tiles(const SceneView<float>& scene, const Structure& grid, const FrameRequest& request,
                   const CameraRays<float>& rays, ScreenDivision division, std::uint32_t worker,
                   std::atomic<std::uint32_t>& fetched, DividedFrame& divided) {
   Frame& frame = divided.frame;
@@ -40,8 +40,8 @@ void render_tiles(const SceneView<float>& scene, const Grid& grid, const FrameRe
 
 } // namespace
 
-DividedFrame render_divided_cpu(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,
-                                ScreenDivision division, int workers_each) {
+DividedFrame render_divided_cpu(const SceneFile& scene, const StructureFile& grid,
+                                const FrameRequest& request, ScreenDivision division, int workers_each) {
   if (scene.is_float64()) throw Error(ErrorCode::usage, scene.path(), "is float64: divide a float32 scene");
   const std::size_t threads = allowed_threads();
   DividedFrame divided{

@@ -19,10 +19,10 @@ __device__ std::uint32_t next_tile_of_block(TileRun& left, std::uint32_t* const 
   return tile;
 }
 
-template <class Grid>
+template <class Structure>
 __global__ void __launch_bounds__(division_tile_side* division_tile_side,
                                   resident_threads_wanted<M> / (division_tile_side * division_tile_side))
-    divided_kernel(const SceneView<float> scene, const Grid grid, const CameraRays<float> rays,
+    divided_kernel(const SceneView<float> scene, const Structure grid, const CameraRays<float> rays,
                    const RenderRules rules, const Tiles tiles, const ScreenDivision division,
                    std::uint32_t* const next_tile, Vec3f* const colors) {
   __shared__ TileRun left;
@@ -42,8 +42,8 @@ __global__ void __launch_bounds__(division_tile_side* division_tile_side,
 
 } // namespace
 
-DividedFrame render_divided_cuda(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,
-                                 ScreenDivision division, int workers_each) {
+DividedFrame render_divided_cuda(const SceneFile& scene, const StructureFile& grid,
+                                 const FrameRequest& request, ScreenDivision division, int workers_each) {
   if (scene.is_float64()) throw Error(ErrorCode::usage, scene.path(), "is float64: divide a float32 scene");
   DividedFrame divided{picture_frame(request), 0};
   Frame& frame = divided.frame;

@@ -4,7 +4,7 @@
 
 namespace masu {
 
-DividedFrame render_divided_cuda(const SceneFile&, const GridFile&, const FrameRequest&, ScreenDivision,
+DividedFrame render_divided_cuda(const SceneFile&, const StructureFile&, const FrameRequest&, ScreenDivision,
                                  int) {
   throw Error(ErrorCode::device, "cuda", "this program was built without it: use --backend cpu");
 }

@@ -15,9 +15,9 @@ constexpr auto values_of(Precision) {
 constexpr auto values_of(StopRule) {
   return std::array{StopRule::proven, StopRule::first_cell};
 }
-constexpr auto values_of(GridKind) {
-  return std::array{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
-                    GridKind::hierarchy};
+constexpr auto values_of(StructureKind) {
+  return std::array{StructureKind::uniform, StructureKind::x, StructureKind::balance,
+                    StructureKind::irregular, StructureKind::hierarchy};
 }
 constexpr auto values_of(Overlap) {
   return std::array{Overlap::box, Overlap::exact};
@@ -29,21 +29,21 @@ const char* name_of(StopRule stop) {
   return stop == StopRule::proven ? "proven" : "first-cell-hit";
 }
 
-const char* name_of(GridKind merge) {
+const char* name_of(StructureKind merge) {
   switch (merge) {
-  case GridKind::automatic:
+  case StructureKind::automatic:
     return "auto";
-  case GridKind::uniform:
+  case StructureKind::uniform:
     return "none";
-  case GridKind::x:
+  case StructureKind::x:
     return "x";
-  case GridKind::balance:
+  case StructureKind::balance:
     return "balance";
-  case GridKind::irregular:
+  case StructureKind::irregular:
     return "irregular";
-  case GridKind::hierarchy:
+  case StructureKind::hierarchy:
     return "bvh";
-  case GridKind::fastest:
+  case StructureKind::fastest:
     return "fastest";
   }
   return "";
@@ -64,7 +64,7 @@ Value named(const std::string& text) {
 }
 template Precision named(const std::string&);
 template StopRule named(const std::string&);
-template GridKind named(const std::string&);
+template StructureKind named(const std::string&);
 template Overlap named(const std::string&);
 
 std::string method_of(const Configuration& configuration) {
@@ -73,10 +73,10 @@ std::string method_of(const Configuration& configuration) {
 }
 
 std::string grid_of(const Configuration& configuration) {
-  if (configuration.merge == GridKind::hierarchy) return name_of(configuration.merge);
+  if (configuration.merge == StructureKind::hierarchy) return name_of(configuration.merge);
   const char* const merge =
-      configuration.merge == GridKind::uniform ? "uniform" : name_of(configuration.merge);
-  const bool divided = configuration.merge != GridKind::irregular || configuration.division != "auto";
+      configuration.merge == StructureKind::uniform ? "uniform" : name_of(configuration.merge);
+  const bool divided = configuration.merge != StructureKind::irregular || configuration.division != "auto";
   return fmt::format("{} {}{}", merge, divided ? configuration.division + " " : "",
                      name_of(configuration.overlap));
 }

@@ -26,7 +26,7 @@ struct TradeoffSetup {
 struct Configuration {
   Precision precision;
   StopRule stop;
-  GridKind merge;
+  StructureKind merge;
   std::string division; // as gridbuild takes it
   Overlap overlap;
   friend bool operator==(const Configuration&, const Configuration&) = default;
@@ -62,10 +62,10 @@ struct TradeoffRow {
 };
 
 // The names used in the table and the file.
-const char* name_of(StopRule stop);   // proven, first-cell-hit
-const char* name_of(GridKind merge);  // none, x, balance, irregular, bvh
-const char* name_of(Overlap overlap); // box, exact
-// The Precision, StopRule, GridKind or Overlap of that name. Throws Error(usage, text, …).
+const char* name_of(StopRule stop);       // proven, first-cell-hit
+const char* name_of(StructureKind merge); // none, x, balance, irregular, bvh
+const char* name_of(Overlap overlap);     // box, exact
+// The Precision, StopRule, StructureKind or Overlap of that name. Throws Error(usage, text, …).
 template <class Value>
 Value named(const std::string& text);
 

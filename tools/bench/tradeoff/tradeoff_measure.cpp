@@ -23,7 +23,7 @@ auto traced(std::uint64_t repeat, const Trace& trace) {
   return repeated(0, static_cast<int>(repeat), trace);
 }
 
-Tracer tracer_of(const TradeoffTask& task, const GridFile* grid) {
+Tracer tracer_of(const TradeoffTask& task, const StructureFile* grid) {
   return {task.scene, grid, task.setup.backend == "cuda" ? Device::cuda : Device::cpu};
 }
 
@@ -127,7 +127,7 @@ const TradeoffTask::Reference& TradeoffTask::reference() {
   return *reference_;
 }
 
-Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuration& configuration) {
+Measurement measure(TradeoffTask& task, const StructureFile& grid, const Configuration& configuration) {
   const TradeoffTask::Reference& reference = task.reference();
   const TracingRules rules{configuration.precision, configuration.stop};
   const std::uint64_t repeat = task.setup.repeat;

@@ -30,6 +30,6 @@ private:
 };
 
 // The grid is of the task's scene. Throws Error(device).
-Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuration& configuration);
+Measurement measure(TradeoffTask& task, const StructureFile& grid, const Configuration& configuration);
 
 } // namespace masu

@@ -1,4 +1,4 @@
-#include "tools/report/grid_report.h"
+#include "tools/report/structure_report.h"
 
 #include "libgrid/statistics/cells.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
@@ -25,7 +25,7 @@ struct Statistics {
   MapStatistics map;
   Vec3i division{}; // in the smallest voxels
 
-  explicit Statistics(const GridFile& file) {
+  explicit Statistics(const StructureFile& file) {
     const auto look_at = [this](const auto& view, const auto& records) {
       cells = grid_statistics(view, records);
       map = map_statistics(view, records);
@@ -47,11 +47,11 @@ Json histogram_of(const std::vector<std::uint64_t>& counts, bool by_powers = fal
   return pairs;
 }
 
-Json seconds_json(const fb::Grid& table) {
+Json seconds_json(const fb::Structure& table) {
   return table.build_seconds() >= 0 ? Json(table.build_seconds()) : Json();
 }
 
-std::string geometry_hash(const fb::Grid& table) {
+std::string geometry_hash(const fb::Structure& table) {
   return to_hex({table.geometry_hash()->low(), table.geometry_hash()->high()});
 }
 
@@ -96,10 +96,10 @@ std::string joined(const std::vector<std::uint64_t>& numbers) {
   return text;
 }
 
-void print_table(const GridFile& file, const Statistics& statistics) {
+void print_table(const StructureFile& file, const Statistics& statistics) {
   const GridStatistics& s = statistics.cells;
   const MapStatistics& map = statistics.map;
-  const fb::Grid& table = file.table();
+  const fb::Structure& table = file.table();
   const fb::Vec3 &low = table.space()->min(), &high = table.space()->max();
   print_row("space", "{}, from ({:g}, {:g}, {:g})", fb::EnumNameSpace(table.space_rule()), low.x(), low.y(),
             low.z());
@@ -133,7 +133,7 @@ void print_table(const GridFile& file, const Statistics& statistics) {
   print_row("geometry", "{}", geometry_hash(table));
 }
 
-void print_table(const GridFile& file, const HierarchyStatistics& s) {
+void print_table(const StructureFile& file, const HierarchyStatistics& s) {
   print_row("nodes", "{}, {} deep", grouped(s.nodes), s.depth);
   print_row("  boxes of nodes", "{}", grouped(s.node_boxes));
   print_row("  boxes of references", "{}", grouped(s.reference_boxes));
@@ -143,8 +143,7 @@ void print_table(const GridFile& file, const HierarchyStatistics& s) {
   print_row("bytes", "{}", grouped(file.bytes()));
   print_row("  nodes", "{}", grouped(file.nodes().size_bytes()));
   print_row("  references", "{}", grouped(file.references().size_bytes()));
-  print_row("built by", "{}", printable(file.table().merge_rule()->str()));
-  print_row("structure", "bvh");
+  print_row("structure", "bvh, quality {}", fb::EnumNameQuality(file.table().quality()));
   print_row("geometry", "{}", geometry_hash(file.table()));
 }
 
@@ -164,10 +163,10 @@ void print_bars(const char* head, const char* counted, const Json& histogram) {
 
 // --- JSON -------------------------------------------------------------------------------------------------
 
-Json report_of(const GridFile& file, const Statistics& statistics, bool histogram) {
+Json report_of(const StructureFile& file, const Statistics& statistics, bool histogram) {
   const GridStatistics& s = statistics.cells;
   const MapStatistics& map = statistics.map;
-  const fb::Grid& table = file.table();
+  const fb::Structure& table = file.table();
   const fb::Division& n = *table.division();
   Json json{
       {"space", finest_layout(file).space},
@@ -221,8 +220,8 @@ Json report_of(const GridFile& file, const Statistics& statistics, bool histogra
   return json;
 }
 
-Json report_of(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
-  const fb::Grid& table = file.table();
+Json report_of(const StructureFile& file, const HierarchyStatistics& s, bool histogram) {
+  const fb::Structure& table = file.table();
   Json json{{"structure", "bvh"},
             {"space", finest_layout(file).space},
             {"primitives", table.primitives()},
@@ -237,7 +236,7 @@ Json report_of(const GridFile& file, const HierarchyStatistics& s, bool histogra
              {{"file", file.bytes()},
               {"nodes", file.nodes().size_bytes()},
               {"references", file.references().size_bytes()}}},
-            {"merge_rule", table.merge_rule()->str()},
+            {"quality", fb::EnumNameQuality(table.quality())},
             {"geometry_hash", geometry_hash(table)},
             {"build_seconds", seconds_json(table)}};
   if (histogram) json["histogram"] = histogram_of(s.boxes_by_references);
@@ -248,12 +247,12 @@ Json report_of(const GridFile& file, const HierarchyStatistics& s, bool histogra
 
 } // namespace
 
-Json grid_report(const GridFile& file, bool histogram) {
+Json structure_report(const StructureFile& file, bool histogram) {
   return file.is_hierarchy() ? report_of(file, hierarchy_statistics(file.nodes()), histogram)
                              : report_of(file, Statistics(file), histogram);
 }
 
-void print_grid_report(const GridFile& file, ReportFormat format, bool histogram) {
+void print_structure_report(const StructureFile& file, ReportFormat format, bool histogram) {
   Json json;
   if (file.is_hierarchy()) {
     const HierarchyStatistics statistics = hierarchy_statistics(file.nodes());

@@ -9,13 +9,13 @@ namespace masu {
 
 // Looks at all that the file holds. histogram: also the number of occupied cells by their references,
 // [references, cells] each; of a hierarchy of boxes of references by how many they hold, and by depth.
-nlohmann::ordered_json grid_report(const GridFile& file, bool histogram);
+nlohmann::ordered_json structure_report(const StructureFile& file, bool histogram);
 
 enum class ReportFormat { table, json, csv };
 
 // Of a grid or a hierarchy, to standard output. CSV has the same columns for every grid. histogram: also the
 // number of occupied cells by references, and of merged cells by size; of a hierarchy as above.
-void print_grid_report(const GridFile& file, ReportFormat format, bool histogram);
+void print_structure_report(const StructureFile& file, ReportFormat format, bool histogram);
 
 inline double percent(std::uint64_t part, std::uint64_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
