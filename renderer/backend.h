@@ -41,8 +41,8 @@ void set_up_cuda(int device);
 // before any index in it is followed. Throws Error(device), Error(input) for a damaged or changed file.
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* grid,
                                                      int device);
-// Tracer::moved() on a device: null where it returns none.
-std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const SceneFile& scene,
+// Tracer::moved() on a device, of a scene of that origin: null where it returns none.
+std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,
                                                     const Vertices& vertices);
 // The kinds of primitives in them (with_triangles, …).
 unsigned kinds_on(const DeviceFiles& files);
@@ -50,8 +50,7 @@ unsigned kinds_on(const DeviceFiles& files);
 // Copies rays to the device, and makes room there for t, primitive and occluded.
 ResidentRays upload_rays_cuda(const RayList& rays, int device);
 
-void render_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                 const FrameRequest& request, Frame& frame);
+void render_cuda(const DeviceFiles& files, const FrameRequest& request, Frame& frame);
 
 // Rays on a device at a time, for each of the stages: one piece is uploaded while another is traced and the
 // results of a third come back.
@@ -64,14 +63,11 @@ inline double share_of_pieces(std::size_t pieces, const RayList& rays, const Ray
                   1.0);
 }
 // Of rays in host memory: the pieces of a list that it takes from a counter, which devices share.
-QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                            const RayList& rays, const RayResults& results, const RaysRequest& request,
-                            std::atomic<std::size_t>& next_piece);
+QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const RayResults& results,
+                            const RaysRequest& request, std::atomic<std::size_t>& next_piece);
 // Of rays in device memory: puts the query on a stream; or times it.
-QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                            const RayList& rays, const RayResults& results, const RaysRequest& request,
-                            void* stream);
-QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                           const ResidentRays& rays, const RaysRequest& request);
+QueryReport launch_rays_cuda(const DeviceFiles& files, const RayList& rays, const RayResults& results,
+                             const RaysRequest& request, void* stream);
+QueryReport time_rays_cuda(const DeviceFiles& files, const ResidentRays& rays, const RaysRequest& request);
 
 } // namespace masu

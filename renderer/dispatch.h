@@ -7,6 +7,7 @@
 #include "renderer/tracer.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <type_traits>
 
@@ -56,27 +57,31 @@ inline constexpr bool is_specialised =
     !std::is_same_v<TestRay, TextbookRay> && std::is_same_v<Stored, float> &&
     !std::is_same_v<View, GridView<double>>;
 
-// `grid` may be null.
+// A structure's records where they are traced, in host or device memory; none for brute force.
+using TracedRecords = std::optional<StructureRecords>;
+inline TracedRecords records_of(const StructureFile* structure) {
+  return structure != nullptr ? TracedRecords(structure->records()) : std::nullopt;
+}
 template <class Real>
-AnyStructure<Real> any_structure(const StructureFile* grid) {
-  return grid != nullptr ? any_structure<Real>(grid->records()) : AnyStructure<Real>{};
+AnyStructure<Real> any_structure(const TracedRecords& records) {
+  return records ? any_structure<Real>(*records) : AnyStructure<Real>{};
 }
 
-// Calls act(view, Method, Counts or NoCounts) for rays of one arithmetic. What is for use has the code for
-// its structure (GridView, MergedGridView or HierarchyView) and kinds; what is for comparison, counting,
-// brute force and StopRule::first_cell, shares that for AnyStructure and all kinds.
+// Calls act(view of the records, Method, Counts or NoCounts) for rays of one arithmetic through a scene of
+// that store. What is for use has the code for its structure (GridView, MergedGridView or HierarchyView) and
+// kinds; what is for comparison, counting, brute force and StopRule::first_cell, shares that for AnyStructure
+// and all kinds.
 template <class TestRay, class Stored, class Act>
-void with_method(const SceneView<Stored>&, const StructureFile* grid, const TracingRules& rules,
-                 const Act& act) {
+void with_method(const TracedRecords& records, const TracingRules& rules, const Act& act) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
   const auto with_any = [&] {
-    AnyStructure<Real> any = any_structure<Real>(grid);
+    AnyStructure<Real> any = any_structure<Real>(records);
     any.stop = rules.stop;
-    rules.count || grid == nullptr ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
+    rules.count || !records ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
   };
-  if (grid == nullptr || rules.count || rules.stop == StopRule::first_cell) return with_any();
-  with_structure_view<Real>(grid->records(), [&]<class View>(const View& view) {
+  if (!records || rules.count || rules.stop == StopRule::first_cell) return with_any();
+  with_structure_view<Real>(*records, [&]<class View>(const View& view) {
     if constexpr (is_specialised<TestRay, Stored, View>) {
       if (rules.general) return act(view, General{}, NoCounts{});
       with_kinds<TestRay>(rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) {

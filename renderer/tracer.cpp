@@ -110,7 +110,7 @@ Frame Tracer::render(const FrameRequest& request, std::size_t index, Frame memor
   if (!request.shaded) resolved_request.rules.depth = 0;
   resolved_request.rgb = request.rgb && request.shaded && device_ == Device::cuda;
   Frame frame = sized_frame(resolved_request, std::move(memory));
-  device_ == Device::cuda ? render_cuda(*files_.at(index), scene_, grid_, resolved_request, frame)
+  device_ == Device::cuda ? render_cuda(*files_.at(index), resolved_request, frame)
                           : render_cpu(scene_, grid_, resolved_request, frame);
   check_unchanged();
   return frame;

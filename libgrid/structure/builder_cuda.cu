@@ -88,10 +88,10 @@ public:
   bool refit(const GridLayout& layout, Structure& hierarchy) override {
     check_hierarchy(host_.primitive_count(), layout.space);
     return on_gpu(gpu_, nullptr, [&] {
-      const Queue queue{nullptr, *pool_};
-      DeviceArray<HierarchyNode> nodes(hierarchy.nodes.data(), hierarchy.nodes.size(), queue);
+      const StreamMemory memory{nullptr, *pool_};
+      DeviceArray<HierarchyNode> nodes(hierarchy.nodes.data(), hierarchy.nodes.size(), memory);
       const DeviceArray<PrimitiveIndex> references(hierarchy.references.data(), hierarchy.references.size(),
-                                                   queue);
+                                                   memory);
       const DeviceTimer timer;
       const bool fits = holds_all(*executor_, device_->view, references);
       if (fits)

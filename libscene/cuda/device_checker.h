@@ -8,7 +8,7 @@ namespace masu {
 
 class DeviceChecker {
 public:
-  explicit DeviceChecker(const Queue& queue) : queue_(queue), found_(1, queue) {}
+  explicit DeviceChecker(const StreamMemory& memory) : memory_(memory), found_(1, memory) {}
 
   // Waits for the result.
   template <class Good>
@@ -16,7 +16,7 @@ public:
     if (count == 0) return true;
     found_.clear();
     std::uint32_t* const fault = found_.data();
-    for_each_on_device(count, queue_.stream, [=] __device__(std::uint64_t i) {
+    for_each_on_device(count, memory_.stream, [=] __device__(std::uint64_t i) {
       if (!good(i)) *fault = 1;
     });
     std::uint32_t found = 0;
@@ -24,13 +24,13 @@ public:
     return found == 0;
   }
   DeviceArray<std::uint32_t> zeros(std::uint64_t count) const {
-    DeviceArray<std::uint32_t> words(count, queue_);
+    DeviceArray<std::uint32_t> words(count, memory_);
     words.clear();
     return words;
   }
 
 private:
-  Queue queue_;
+  StreamMemory memory_;
   DeviceArray<std::uint32_t> found_;
 };
 

@@ -70,7 +70,7 @@ private:
 };
 
 // Where work is queued, and where its memory is from: null for the default stream and the device's own pool.
-struct Queue {
+struct StreamMemory {
   cudaStream_t stream = nullptr;
   cudaMemPool_t pool = nullptr;
 };
@@ -130,14 +130,16 @@ template <class T>
 class DeviceArray {
 public:
   DeviceArray() = default;
-  explicit DeviceArray(std::size_t count, const Queue& queue = {}) : count_(count), stream_(queue.stream) {
+  explicit DeviceArray(std::size_t count, const StreamMemory& memory = {})
+      : count_(count), stream_(memory.stream) {
     if (count == 0) return;
     void** const data = reinterpret_cast<void**>(&data_);
     const std::size_t bytes = count * sizeof(T);
-    check(queue.pool != nullptr ? cudaMallocFromPoolAsync(data, bytes, queue.pool, queue.stream)
-                                : cudaMallocAsync(data, bytes, queue.stream));
+    check(memory.pool != nullptr ? cudaMallocFromPoolAsync(data, bytes, memory.pool, memory.stream)
+                                 : cudaMallocAsync(data, bytes, memory.stream));
   }
-  DeviceArray(const T* host, std::size_t count, const Queue& queue = {}) : DeviceArray(count, queue) {
+  DeviceArray(const T* host, std::size_t count, const StreamMemory& memory = {})
+      : DeviceArray(count, memory) {
     if (count > 0) check(cudaMemcpyAsync(data_, host, count * sizeof(T), cudaMemcpyHostToDevice, stream_));
   }
   DeviceArray(DeviceArray&& other) noexcept { *this = std::move(other); }

@@ -164,17 +164,17 @@ public:
 
   // `pool`: of its arrays; it must outlive them. `progress`: of the build that the passes are of.
   explicit CudaExecutor(cudaMemPool_t pool, const ProgressMonitor* progress = nullptr)
-      : queue_{nullptr, pool}, progress_(progress) {}
+      : memory_{nullptr, pool}, progress_(progress) {}
   CudaExecutor(const CudaExecutor&) = delete;
   CudaExecutor& operator=(const CudaExecutor&) = delete;
 
   template <class T>
   Array<T> array(std::uint64_t count) const {
-    return Array<T>(count, queue_);
+    return Array<T>(count, memory_);
   }
   template <class T>
   Array<T> zeros(std::uint64_t count) const {
-    Array<T> values(count, queue_);
+    Array<T> values(count, memory_);
     values.clear();
     return values;
   }
@@ -276,7 +276,7 @@ private:
     check(act(memory.data(), bytes));
   }
 
-  Queue queue_; // the default stream
+  StreamMemory memory_; // the default stream
   const ProgressMonitor* progress_;
 };
 

@@ -25,10 +25,12 @@ template <class Act>
 void with_everything(const SceneFile& scene, const StructureFile* grid, const TracingRules& rules,
                      const Act& act) {
   with_store_and_arithmetic(
-      scene, rules.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
-        with_method<TestRay>(view, grid, rules, [&](const auto& accelerator, auto method, auto counts) {
-          act(view, accelerator, method, counts);
-        });
+      scene, rules.precision,
+      [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
+        with_method<TestRay, Stored>(records_of(grid), rules,
+                                     [&](const auto& accelerator, auto method, auto counts) {
+                                       act(view, accelerator, method, counts);
+                                     });
       });
 }
 

@@ -77,7 +77,7 @@ void list_hits(const SceneView<Stored>& scene, const StructureFile* grid, const 
                const std::function<void(double)>& report_progress) {
   using Real = typename TestRay::Real;
   ListProgress progress(report_progress, rays.count, 16, grid == nullptr ? scene.primitive_count() : 0);
-  const AnyStructure<Real> structure = any_structure<Real>(grid);
+  const AnyStructure<Real> structure = any_structure<Real>(records_of(grid));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task / 16), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       progress.done(i);

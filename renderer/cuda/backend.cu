@@ -3,8 +3,7 @@
 #include "libgrid/file/structure_checks.h"
 #include "libscene/cuda/device_checker.h"
 #include "libscene/file/scene_checks.h"
-#include "renderer/arithmetic.h"
-#include "renderer/cuda/queue.h"
+#include "renderer/cuda/ray_batch.h"
 #include "renderer/image/pixel.h"
 
 namespace masu {
@@ -21,7 +20,7 @@ namespace {
 // Checks the records that the host hasn't, and prepares what is made of them.
 template <class Stored>
 unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const StructureFile* grid) {
-  const DeviceChecker checker(files.queue);
+  const DeviceChecker checker(files.memory);
   const SceneView<Stored>& view = files.scene.view;
   const auto refuse = [](const std::string& path, const char* fault) {
     if (fault != nullptr) throw_damaged(path, fault);
@@ -29,7 +28,7 @@ unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, con
   if (scene.residence() == Residence::file)
     refuse(scene.path(), fault_of(checker, view, scene.bounds(), scene.counts()));
   if (grid != nullptr && grid->residence() == Residence::file)
-    refuse(grid->path(), fault_of(checker, files.grid.records));
+    refuse(grid->path(), fault_of(checker, *files.structure.records));
   files.make_leaves();
   const bool has_tapers =
       !checker.all(view.cone_count, [=] __device__(std::uint64_t i) { return !tapers(view.cones[i]); });
@@ -57,19 +56,18 @@ unsigned kinds_on(const DeviceFiles& files) {
   return files.kinds;
 }
 
-void render_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                 const FrameRequest& request, Frame& frame) {
+void render_cuda(const DeviceFiles& files, const FrameRequest& request, Frame& frame) {
   const DeviceScope device(files.memory->device);
   const auto buffers = files.memory->frames.borrow();
-  with_store_and_arithmetic(
-      scene, request.tracing.precision,
-      [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
-        render_on_device<TestRay>(files.of<Stored>(), view, grid, request, *buffers, frame);
+  files.with_arithmetic(
+      request.tracing.precision,
+      [&]<class TestRay, class Stored>(const DeviceFilesOf<Stored>& stored, Arithmetic<TestRay>) {
+        render_on_device<TestRay>(stored, request, *buffers, frame);
       });
 }
 
-void queue_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
-                 const DeviceArray<std::uint8_t>& rgb, cudaStream_t stream) {
+void launch_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
+                  const DeviceArray<std::uint8_t>& rgb, cudaStream_t stream) {
   std::uint8_t* const bytes = rgb.data();
   for_each_on_device(rgb.size() / 3, stream, [=] __device__(std::uint64_t i) {
     const auto width = static_cast<std::uint64_t>(columns - rays_beyond_pixels(sampling));
@@ -81,8 +79,8 @@ void queue_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
 }
 
 template <class Real, class Stored>
-void queue_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
-                      const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream) {
+void launch_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
+                       const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream) {
   const HitRecord* const hits = found.data();
   for_each_on_device(found.size(), stream, [=] __device__(std::uint64_t i) {
     const auto columns = static_cast<std::uint64_t>(rays.columns);
@@ -91,11 +89,11 @@ void queue_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& ra
     write_attributes(scene, ray, listed(hits[i]), results, i);
   });
 }
-template void queue_attributes(const SceneView<float>&, const CameraRays<float>&,
-                               const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
-template void queue_attributes(const SceneView<float>&, const CameraRays<double>&,
-                               const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
-template void queue_attributes(const SceneView<double>&, const CameraRays<double>&,
-                               const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
+template void launch_attributes(const SceneView<float>&, const CameraRays<float>&,
+                                const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
+template void launch_attributes(const SceneView<float>&, const CameraRays<double>&,
+                                const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
+template void launch_attributes(const SceneView<double>&, const CameraRays<double>&,
+                                const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
 
 } // namespace masu

@@ -20,7 +20,7 @@ void set_up_cuda(int) {
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const StructureFile*, int) {
   refuse();
 }
-std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles&, const SceneFile&, const Vertices&) {
+std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles&, const Vec3d&, const Vertices&) {
   refuse();
 }
 unsigned kinds_on(const DeviceFiles&) {
@@ -29,19 +29,18 @@ unsigned kinds_on(const DeviceFiles&) {
 ResidentRays upload_rays_cuda(const RayList&, int) {
   refuse();
 }
-void render_cuda(const DeviceFiles&, const SceneFile&, const StructureFile*, const FrameRequest&, Frame&) {
+void render_cuda(const DeviceFiles&, const FrameRequest&, Frame&) {
   refuse();
 }
-QueryReport trace_rays_cuda(const DeviceFiles&, const SceneFile&, const StructureFile*, const RayList&,
-                            const RayResults&, const RaysRequest&, std::atomic<std::size_t>&) {
+QueryReport trace_rays_cuda(const DeviceFiles&, const RayList&, const RayResults&, const RaysRequest&,
+                            std::atomic<std::size_t>&) {
   refuse();
 }
-QueryReport queue_rays_cuda(const DeviceFiles&, const SceneFile&, const StructureFile*, const RayList&,
-                            const RayResults&, const RaysRequest&, void*) {
+QueryReport launch_rays_cuda(const DeviceFiles&, const RayList&, const RayResults&, const RaysRequest&,
+                             void*) {
   refuse();
 }
-QueryReport time_rays_cuda(const DeviceFiles&, const SceneFile&, const StructureFile*, const ResidentRays&,
-                           const RaysRequest&) {
+QueryReport time_rays_cuda(const DeviceFiles&, const ResidentRays&, const RaysRequest&) {
   refuse();
 }
 

@@ -47,86 +47,70 @@ struct DeviceScene {
   }
 };
 
-struct DeviceGrid {
-  StructureRecords records{}; // in the device's memory
+struct DeviceStructure {
+  TracedRecords records;
   std::shared_ptr<const void> nodes;
   SharedArrays others;
 
-  DeviceGrid(const StructureFile* grid, Transfer& upload) {
-    if (grid == nullptr) return;
+  DeviceStructure(const StructureFile* file, Transfer& upload) : records(records_of(file)) {
+    if (file == nullptr) return;
     using fb::StructureSection;
-    records = grid->records();
     const auto add = [&]<class T>(StructureSection section, const T*& of, std::uint64_t count,
                                   std::size_t room = 0) {
-      others.push_back(shared(uploaded(*grid, section, of, count, upload, room)));
+      others.push_back(shared(uploaded(*file, section, of, count, upload, room)));
     };
-    add(StructureSection::voxel_map, records.voxel_map, records.words);
-    add(StructureSection::cells, records.cells, records.cell_count);
-    add(StructureSection::references, records.references, records.reference_count, references_read_ahead);
-    nodes = shared(uploaded(*grid, StructureSection::nodes, records.nodes, records.node_count, upload));
-  }
-  // The same view of them.
-  template <class Real>
-  GridView<Real> moved(const GridView<Real>&) const {
-    return view_of<Real>(records);
-  }
-  template <class Real>
-  MergedGridView<Real> moved(const MergedGridView<Real>&) const {
-    return merged_view_of<Real>(records);
-  }
-  template <class Real>
-  AnyStructure<Real> moved(const AnyStructure<Real>& any) const {
-    if (any.form == StructureForm::none) return any;
-    AnyStructure<Real> moved = any_structure<Real>(records);
-    moved.stop = any.stop;
-    return moved;
+    add(StructureSection::voxel_map, records->voxel_map, records->words);
+    add(StructureSection::cells, records->cells, records->cell_count);
+    add(StructureSection::references, records->references, records->reference_count, references_read_ahead);
+    nodes = shared(uploaded(*file, StructureSection::nodes, records->nodes, records->node_count, upload));
   }
 };
 
-// A scene and its grid on the device.
+// A scene and its structure on the device.
 template <class Stored>
 struct DeviceFilesOf {
-  Queue queue; // null stream, own pool
+  StreamMemory memory; // null stream, own pool
   DeviceScene<Stored> scene;
-  DeviceGrid grid;
+  DeviceStructure structure;
   DeviceArray<Leaf<Stored>> leaves; // of LeafHierarchyView
   std::shared_ptr<KernelCache> kernels = std::make_shared<KernelCache>();
 
-  DeviceFilesOf(const SceneFile& host_scene, const StructureFile* host_grid, cudaMemPool_t pool,
+  DeviceFilesOf(const SceneFile& host_scene, const StructureFile* host_structure, cudaMemPool_t pool,
                 Transfer& upload)
-      : queue{nullptr, pool}, scene(host_scene, upload), grid(host_grid, upload) {}
+      : memory{nullptr, pool}, scene(host_scene, upload), structure(host_structure, upload) {}
 
-  // The same scene with its triangles and the hierarchy's nodes moved; without leaves.
-  DeviceFilesOf(const DeviceFilesOf& before, MovedHierarchy<Stored> moved)
-      : queue(before.queue), scene(before.scene), grid(before.grid), kernels(before.kernels) {
-    scene.view.triangles = moved.triangles.data();
-    scene.view.clip = cast<Stored>(padded_bounds<Stored>(moved.bounds));
-    scene.triangles = shared(std::move(moved.triangles));
-    grid.records.nodes = moved.nodes.data();
-    grid.nodes = shared(std::move(moved.nodes));
+  // The same scene with its triangles and the hierarchy's nodes displaced; without leaves.
+  DeviceFilesOf(const DeviceFilesOf& before, MovedHierarchy<Stored> displaced)
+      : memory(before.memory), scene(before.scene), structure(before.structure), kernels(before.kernels) {
+    scene.view.triangles = displaced.triangles.data();
+    scene.view.clip = cast<Stored>(padded_bounds<Stored>(displaced.bounds));
+    scene.triangles = shared(std::move(displaced.triangles));
+    structure.records->nodes = displaced.nodes.data();
+    structure.nodes = shared(std::move(displaced.nodes));
   }
 
   // When the files are there and checked. Scenes of doubles are traced through the hierarchy's references.
   void make_leaves() {
-    const std::size_t count = grid.records.reference_count;
-    if (!std::is_same_v<Stored, float> || !grid.records.is_hierarchy || count == 0) return;
-    leaves = DeviceArray<Leaf<Stored>>(count, queue);
+    if (!std::is_same_v<Stored, float> || !structure.records || !structure.records->is_hierarchy) return;
+    const std::size_t count = structure.records->reference_count;
+    if (count == 0) return;
+    leaves = DeviceArray<Leaf<Stored>>(count, memory);
     const SceneView<Stored> primitives = scene.view;
-    const PrimitiveIndex* const references = grid.records.references;
+    const PrimitiveIndex* const references = structure.records->references;
     Leaf<Stored>* const leaf = leaves.data();
-    for_each_on_device(count, queue.stream,
+    for_each_on_device(count, memory.stream,
                        [=] __device__(std::uint64_t i) { leaf[i] = leaf_of(primitives, references[i]); });
-    check(cudaStreamSynchronize(queue.stream));
+    check(cudaStreamSynchronize(memory.stream));
   }
 
-  // The accelerator as kernels have it.
+  // A view of the records as kernels have it: through a hierarchy with leaves.
   template <class View>
-  auto moved(const View& view) const {
-    return grid.moved(view);
+  const View& on_device(const View& view) const {
+    return view;
   }
   template <class Real>
-  LeafHierarchyView<Real, Stored> moved(const HierarchyView<Real>&) const {
-    return {grid.records.nodes, leaves.data()};
+  LeafHierarchyView<Real, Stored> on_device(const HierarchyView<Real>& view) const {
+    return {view.nodes, leaves.data()};
   }
 };
 

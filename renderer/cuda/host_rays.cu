@@ -1,6 +1,6 @@
 #include "renderer/cuda/host_rays.h"
 
-#include "renderer/cuda/queue.h"
+#include "renderer/cuda/ray_batch.h"
 
 #include <tbb/parallel_invoke.h>
 
@@ -63,9 +63,8 @@ double seconds_between(cudaEvent_t first, cudaEvent_t second) {
 
 } // namespace
 
-QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                            const RayList& rays, const RayResults& results, const RaysRequest& request,
-                            std::atomic<std::size_t>& next_piece) {
+QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const RayResults& results,
+                            const RaysRequest& request, std::atomic<std::size_t>& next_piece) {
   QueryReport report;
   if (rays.count == 0) return report;
   const DeviceScope device(files.memory->device);
@@ -73,7 +72,7 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
   const std::size_t piece_rays = rays_per_piece(request);
   const bool rays_page_locked = is_page_locked(rays.rays);
   const std::size_t ray_bytes = rays.format.bytes_per_ray();
-  const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
+  const DeviceArray<Counts> counts(&report.counts, files.are_counted(request.tracing) ? 1 : 0,
                                    {nullptr, files.memory->pool});
   const DeviceArray<std::uint32_t> object_masks(rays.filters.object_masks, rays.filters.object_count,
                                                 {nullptr, files.memory->pool});
@@ -116,9 +115,8 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     check(cudaEventRecord(piece.begun, stream));
     check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
     check(cudaEventRecord(piece.uploaded, stream));
-    report.kernel =
-        queue_rays(files, scene, grid, list, results_in(device_results.data(), arrays, work.count), request,
-                   counts.data(), stream);
+    report.kernel = launch_rays(files, list, results_in(device_results.data(), arrays, work.count), request,
+                                counts.data(), stream);
     check(cudaEventRecord(piece.traced, stream));
     std::uint8_t* const staging = piece.results.of(result_bytes);
     for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {

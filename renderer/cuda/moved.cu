@@ -1,6 +1,6 @@
 // A tracer's files on a device, moved to other vertices.
 #include "libscene/mesh/move_passes.h"
-#include "renderer/cuda/queue.h"
+#include "renderer/cuda/device_files.h"
 
 namespace masu {
 namespace {
@@ -23,7 +23,7 @@ const T* on_device(const T* array, std::size_t count, const DeviceMemory& memory
 
 } // namespace
 
-std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const SceneFile& scene,
+std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,
                                                     const Vertices& vertices) {
   DeviceMemory& memory = *files.memory;
   const DeviceScope scope(memory.device);
@@ -31,23 +31,24 @@ std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, co
     on_device(vertices.indices.data(), vertices.indices.size(), memory, memory.indices);
   auto moved_files = std::make_shared<DeviceFiles>(files.memory);
   moved_files->kinds = files.kinds;
-  const auto move = [&]<class Stored, class Number>(std::optional<DeviceFilesOf<Stored>>& to,
+  const auto move = [&]<class Stored, class Number>(const DeviceFilesOf<Stored>& from,
+                                                    std::optional<DeviceFilesOf<Stored>>& to,
                                                     const Number* numbers) {
-    const DeviceFilesOf<Stored>& from = files.of<Stored>();
     DeviceArray<Number> copy;
     const MovedVertices<Number> on_gpu{on_device(numbers, 3 * vertices.count, memory, copy),
-                                       memory.indices.data(), scene.origin()};
+                                       memory.indices.data(), origin};
     MovedHierarchy<Stored> moved =
-        moved_hierarchy(from.scene.view, from.grid.records, on_gpu, memory.pool, memory.device);
+        moved_hierarchy(from.scene.view, *from.structure.records, on_gpu, memory.pool, memory.device);
     if (moved.nodes.size() == 0) return false;
     to.emplace(from, std::move(moved));
     to->make_leaves();
     return true;
   };
-  const auto move_to = [&](auto& to) {
-    return vertices.floats != nullptr ? move(to, vertices.floats) : move(to, vertices.doubles);
+  const auto move_to = [&](const auto& from, auto& to) {
+    return vertices.floats != nullptr ? move(*from, to, vertices.floats) : move(*from, to, vertices.doubles);
   };
-  const bool is_moved = scene.is_float64() ? move_to(moved_files->float64) : move_to(moved_files->float32);
+  const bool is_moved = files.float64 ? move_to(files.float64, moved_files->float64)
+                                      : move_to(files.float32, moved_files->float32);
   return is_moved ? moved_files : nullptr;
 }
 

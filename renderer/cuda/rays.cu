@@ -1,93 +1,87 @@
-#include "renderer/arithmetic.h"
-#include "renderer/cuda/queue.h"
+#include "renderer/cuda/ray_batch.h"
 
 namespace masu {
 namespace {
 
 // Rays in device memory as they are traced, aligned for the kernels' loads: where they lie, or copied.
 template <class Real, class Stored>
-const Ray<Real>* converted(const RayList& list, const Box<Stored>& box, const Queue& queue,
+const Ray<Real>* converted(const RayList& list, const Box<Stored>& box, const StreamMemory& memory,
                            DeviceArray<Ray<Real>>& copy) {
   if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
     return static_cast<const Ray<Real>*>(list.rays);
-  copy = DeviceArray<Ray<Real>>(list.count, queue);
+  copy = DeviceArray<Ray<Real>>(list.count, memory);
   const void* const rays = list.rays;
   const RayFormat format = list.format;
   Ray<Real>* const to = copy.data();
-  for_each_on_device(list.count, queue.stream,
+  for_each_on_device(list.count, memory.stream,
                      [=] __device__(std::uint64_t i) { to[i] = listed_ray<Real>(rays, format, i, box).ray; });
   return to;
 }
 
 // Of traced rays, with `row` elements each.
 template <class Real, class Stored>
-void queue_skipped(const RayList& list, const Box<Stored>& box, const RayResults& results, std::uint32_t row,
-                   const Queue& queue) {
+void launch_skipped(const RayList& list, const Box<Stored>& box, const RayResults& results, std::uint32_t row,
+                    const StreamMemory& memory) {
   if (!may_be_rounded<Real>(list.format) || (results.t == nullptr && results.t64 == nullptr)) return;
   const void* const rays = list.rays;
   const RayFormat format = list.format;
-  for_each_on_device(list.count, queue.stream, [=] __device__(std::uint64_t i) {
+  for_each_on_device(list.count, memory.stream, [=] __device__(std::uint64_t i) {
     add_skipped(listed_ray<Real>(rays, format, i, box).skipped, results, i * row, row);
   });
 }
 
 } // namespace
 
-KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                      const RayList& rays, const RayResults& results, const RaysRequest& request,
-                      Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
+KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayResults& results,
+                       const RaysRequest& request, Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
   KernelSize size{};
   if (rays.count == 0) return size;
-  const Queue queue{stream, files.memory->pool};
-  with_store_and_arithmetic(
-      scene, request.tracing.precision,
-      [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
+  const StreamMemory memory{stream, files.memory->pool};
+  files.with_arithmetic(
+      request.tracing.precision,
+      [&]<class TestRay, class Stored>(const DeviceFilesOf<Stored>& stored, Arithmetic<TestRay>) {
         using Real = typename TestRay::Real;
         DeviceArray<Ray<Real>> copy;
-        const Box<Stored> box = files.of<Stored>().scene.view.clip;
-        const Ray<Real>* const own = converted(rays, box, queue, copy);
+        const Box<Stored> box = stored.scene.view.clip;
+        const Ray<Real>* const own = converted(rays, box, memory, copy);
         if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
           if (needs_hits_in_order(rays, results, request)) {
-            size = queue_hits<TestRay>(files.of<Stored>(), grid, hit_rules(request), rays.filters,
-                                       RayBatch<Real>{own, rays.count, results, nullptr, queue, begun});
-            queue_skipped<Real>(rays, box, results, hit_rules(request).row(), queue);
+            size = launch_hits<TestRay>(stored, hit_rules(request), rays.filters,
+                                        RayBatch<Real>{own, rays.count, results, nullptr, memory, begun});
+            launch_skipped<Real>(rays, box, results, hit_rules(request).row(), memory);
             return;
           }
         }
         const bool has_attributes = request.query == Query::nearest_hit && results.has_attributes();
-        const DeviceArray<float> t(has_attributes && results.t == nullptr ? rays.count : 0, queue);
+        const DeviceArray<float> t(has_attributes && results.t == nullptr ? rays.count : 0, memory);
         const DeviceArray<std::uint32_t> primitive(
-            has_attributes && results.primitive == nullptr ? rays.count : 0, queue);
+            has_attributes && results.primitive == nullptr ? rays.count : 0, memory);
         RayResults found = results;
         if (t.data() != nullptr) found.t = t.data();
         if (primitive.data() != nullptr) found.primitive = primitive.data();
-        const RayBatch<Real> batch{own, rays.count, found, counts, queue, begun};
-        size = queue_batch<TestRay>(files.of<Stored>(), view, grid, request, batch);
-        if (has_attributes) queue_attributes(files.of<Stored>(), batch, results);
-        if (request.query == Query::nearest_hit) queue_skipped<Real>(rays, box, results, 1, queue);
+        const RayBatch<Real> batch{own, rays.count, found, counts, memory, begun};
+        size = launch_batch<TestRay>(stored, request, batch);
+        if (has_attributes) launch_attributes(stored, batch, results);
+        if (request.query == Query::nearest_hit) launch_skipped<Real>(rays, box, results, 1, memory);
       });
   return size;
 }
 
-QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                            const RayList& rays, const RayResults& results, const RaysRequest& request,
-                            void* stream) {
+QueryReport launch_rays_cuda(const DeviceFiles& files, const RayList& rays, const RayResults& results,
+                             const RaysRequest& request, void* stream) {
   const DeviceScope device(files.memory->device);
   QueryReport report;
-  report.kernel =
-      queue_rays(files, scene, grid, rays, results, request, nullptr, static_cast<cudaStream_t>(stream));
+  report.kernel = launch_rays(files, rays, results, request, nullptr, static_cast<cudaStream_t>(stream));
   return report;
 }
 
-QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const StructureFile* grid,
-                           const ResidentRays& rays, const RaysRequest& request) {
+QueryReport time_rays_cuda(const DeviceFiles& files, const ResidentRays& rays, const RaysRequest& request) {
   const DeviceScope device(files.memory->device);
   QueryReport report;
-  const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
+  const DeviceArray<Counts> counts(&report.counts, files.are_counted(request.tracing) ? 1 : 0,
                                    {nullptr, files.memory->pool});
   const DeviceTimer timer;
-  report.kernel =
-      queue_rays(files, scene, grid, rays.list, rays.results, request, counts.data(), nullptr, timer.start());
+  report.kernel = launch_rays(files, rays.list, rays.results, request, counts.data(), nullptr, timer.start());
   report.seconds.trace = timer.seconds();
   counts.download(&report.counts);
   return report;

@@ -2,15 +2,12 @@
 
 namespace masu {
 
-template KernelSize queue_batch<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                      const StructureFile*, const RaysRequest&,
-                                                      const RayBatch<float>&);
-template KernelSize queue_hits<WatertightRay<float>>(const DeviceFilesOf<float>&, const StructureFile*,
-                                                     const HitRules&, const RayFilters&,
-                                                     const RayBatch<float>&);
-template KernelSize queue_batch<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                             const StructureFile*, const RaysRequest&,
-                                             const RayBatch<float>&);
-template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<float>&, const RayResults&);
+template KernelSize launch_batch<WatertightRay<float>>(const DeviceFilesOf<float>&, const RaysRequest&,
+                                                       const RayBatch<float>&);
+template KernelSize launch_hits<WatertightRay<float>>(const DeviceFilesOf<float>&, const HitRules&,
+                                                      const RayFilters&, const RayBatch<float>&);
+template KernelSize launch_batch<TextbookRay>(const DeviceFilesOf<float>&, const RaysRequest&,
+                                              const RayBatch<float>&);
+template void launch_attributes(const DeviceFilesOf<float>&, const RayBatch<float>&, const RayResults&);
 
 } // namespace masu

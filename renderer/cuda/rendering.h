@@ -6,7 +6,7 @@
 
 #include "libscene/base/stopwatch.h"
 #include "renderer/cuda/device_method.h"
-#include "renderer/cuda/queue.h"
+#include "renderer/cuda/ray_batch.h"
 #include "renderer/render_pixel.h"
 
 namespace masu {
@@ -33,40 +33,40 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
 
 // Traces a picture with rays of this arithmetic. Throws Error(device).
 template <class TestRay, class Stored>
-void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                      const StructureFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
+void render_on_device(const DeviceFilesOf<Stored>& files, const FrameRequest& request, FrameBuffers& buffers,
                       Frame& frame) {
   const cudaStream_t stream = buffers.stream;
-  const Queue queue{stream, files.queue.pool};
+  const StreamMemory memory{stream, files.memory.pool};
   const std::size_t ray_count =
       static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
-  const DeviceArray<Vec3f> colors(request.shaded ? ray_count : 0, queue);
-  const DeviceArray<std::uint8_t> rgb(frame.rgb.size(), queue);
-  const DeviceArray<HitRecord> hits(frame.hits.size(), queue);
-  const DeviceArray<std::int32_t> objects(frame.objects.size(), queue);
-  const DeviceArray<Vec3f> normals(frame.normals.size(), queue);
-  const DeviceArray<std::uint32_t> cells(frame.cells.size(), queue), tests(frame.tests.size(), queue);
-  const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
-                                  queue);
-  with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
-    const auto grid = files.moved(view);
-    const auto rays =
-        camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
-    const auto tiles = [](std::int32_t side) {
-      return static_cast<unsigned>((side + tile_side - 1) / tile_side);
-    };
-    auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(grid)>, C>;
-    frame.kernel = load(kernel);
-    frame.seconds.trace = timed(stream, [&] {
-      launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
-             files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data(),
-             RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
-      if (request.rgb) queue_bytes(colors.data(), frame.columns, request.sampling, rgb, stream);
-      if (request.attributes)
-        queue_attributes(files.scene.view, rays, hits, attribute_results(objects.data(), normals.data()),
-                         stream);
-    });
-  });
+  const DeviceArray<Vec3f> colors(request.shaded ? ray_count : 0, memory);
+  const DeviceArray<std::uint8_t> rgb(frame.rgb.size(), memory);
+  const DeviceArray<HitRecord> hits(frame.hits.size(), memory);
+  const DeviceArray<std::int32_t> objects(frame.objects.size(), memory);
+  const DeviceArray<Vec3f> normals(frame.normals.size(), memory);
+  const DeviceArray<std::uint32_t> cells(frame.cells.size(), memory), tests(frame.tests.size(), memory);
+  const DeviceArray<Counts> total(&frame.counts, request.tracing.count || !files.structure.records ? 1 : 0,
+                                  memory);
+  with_method<TestRay, Stored>(
+      files.structure.records, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
+        const auto structure = files.on_device(view);
+        const auto rays =
+            camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
+        const auto tiles = [](std::int32_t side) {
+          return static_cast<unsigned>((side + tile_side - 1) / tile_side);
+        };
+        auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(structure)>, C>;
+        frame.kernel = load(kernel);
+        frame.seconds.trace = timed(stream, [&] {
+          launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
+                 files.scene.view, structure, rays, request.rules, colors.data(), hits.data(), total.data(),
+                 RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
+          if (request.rgb) launch_bytes(colors.data(), frame.columns, request.sampling, rgb, stream);
+          if (request.attributes)
+            launch_attributes(files.scene.view, rays, hits, attribute_results(objects.data(), normals.data()),
+                              stream);
+        });
+      });
   const Stopwatch watch;
   const auto download = [&](const auto& array, auto& to) {
     const std::size_t bytes = array.size() * sizeof(*array.data());

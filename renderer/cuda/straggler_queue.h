@@ -42,8 +42,8 @@ struct StragglerQueue {
 template <class Real>
 class StragglerQueueMemory {
 public:
-  StragglerQueueMemory(std::uint32_t warps, const Queue& queue)
-      : progress_(1, queue), rays_(std::size_t{warps} * lanes_per_warp, queue) {
+  StragglerQueueMemory(std::uint32_t warps, const StreamMemory& memory)
+      : progress_(1, memory), rays_(std::size_t{warps} * lanes_per_warp, memory) {
     progress_.clear();
   }
   StragglerQueue<Real> view() const { return {progress_.data(), rays_.data()}; }

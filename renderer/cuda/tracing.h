@@ -1,12 +1,12 @@
 // Lists of rays on a CUDA device: the kernels, and how they are launched. CUDA sources only.
 //
 // Kernels of float32 and of double arithmetic are compiled in a source each (rays_*.cu), which instantiates
-// queue_batch(): so they are compiled at the same time.
+// launch_batch(): so they are compiled at the same time.
 #pragma once
 
 #include "renderer/cuda/device_method.h"
 #include "renderer/cuda/hierarchy_rays.h"
-#include "renderer/cuda/queue.h"
+#include "renderer/cuda/ray_batch.h"
 #include "renderer/cuda/warp_tracing.h"
 
 namespace masu {
@@ -49,14 +49,20 @@ constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
                                 (std::is_same_v<TestRay, WatertightRay<double>> &&
                                  query == Query::nearest_hit && !is_hierarchy<Structure>);
 
+// Whether a list is one for warps, which number its rays in 31 bits.
+template <class Real>
+bool goes_by_warps(RayLoop loop, const RayBatch<Real>& batch) {
+  return loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps;
+}
+
 // A list of rays, with room for those that culling chooses where that may be worth it.
 template <class Real>
 struct CullingMemory {
   DeviceArray<std::uint32_t> chosen;
   RayQueue<Real> queue;
 
-  CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, const Queue& stream)
-      : chosen(refills && count >= min_rays_culled ? count : 0, stream), queue{rays, count, chosen.data(),
+  CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, const StreamMemory& memory)
+      : chosen(refills && count >= min_rays_culled ? count : 0, memory), queue{rays, count, chosen.data(),
                                                                                chosen.size() > 0} {}
 };
 
@@ -66,7 +72,7 @@ void cull(const DeviceFilesOf<Stored>& files, Query query, const RayBatch<Real>&
   if (!culled.queue.may_cull) return;
   auto* const kernel = cull_kernel<Real, Stored>;
   launch(kernel, files.kernels->of(kernel, threads_per_culling_block).blocks, threads_per_culling_block,
-         batch.queue.stream, files.scene.view, batch.rays, culled.queue.count, query, batch.results,
+         batch.memory.stream, files.scene.view, batch.rays, culled.queue.count, query, batch.results,
          culled.chosen.data(), progress);
 }
 
@@ -77,7 +83,7 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Structure& g
   using Real = typename M::Real;
   const SceneView<Stored>& scene = files.scene.view;
   const auto count = static_cast<std::uint32_t>(batch.count);
-  const cudaStream_t stream = batch.queue.stream;
+  const cudaStream_t stream = batch.memory.stream;
   const bool refills = loop == RayLoop::warp_refill;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Structure>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Structure>;
@@ -85,8 +91,8 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Structure& g
              known_finish = files.kernels->of(finish, rays_per_block);
   const std::uint32_t blocks = std::min(blocks_of(rays_per_block, count), known.blocks),
                       finishing = std::max(blocks, known_finish.blocks);
-  const StragglerQueueMemory<Real> left(blocks * (rays_per_block / lanes_per_warp), batch.queue);
-  const CullingMemory<Real> culled(batch.rays, count, refills, batch.queue);
+  const StragglerQueueMemory<Real> left(blocks * (rays_per_block / lanes_per_warp), batch.memory);
+  const CullingMemory<Real> culled(batch.rays, count, refills, batch.memory);
   const RayQueue<Real>& queue = culled.queue;
   batch.begin();
   cull(files, query, batch, culled, left.view().progress);
@@ -106,7 +112,7 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
   const auto known =
       refills ? files.kernels->of(refill, rays_per_block) : files.kernels->of(trace, rays_per_block);
   const std::uint64_t launches = (batch.count + max_rays_by_warps - 1) / max_rays_by_warps;
-  const DeviceArray<std::uint32_t> next_rays(refills ? launches : 0, batch.queue);
+  const DeviceArray<std::uint32_t> next_rays(refills ? launches : 0, batch.memory);
   next_rays.clear();
   batch.begin();
   RayResults results = batch.results;
@@ -115,7 +121,7 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
     const auto count = static_cast<std::uint32_t>(std::min(batch.count - first, max_rays_by_warps));
     const std::uint32_t blocks = blocks_of(rays_per_block, count);
     const auto launch_with = [&](auto* kernel, std::uint32_t of, const auto&... more) {
-      launch(kernel, of, rays_per_block, batch.queue.stream, files.scene.view, hierarchy, batch.rays + first,
+      launch(kernel, of, rays_per_block, batch.memory.stream, files.scene.view, hierarchy, batch.rays + first,
              count, results, more...);
     };
     if (refills)
@@ -129,77 +135,86 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
   return known.size;
 }
 
-// Puts a query on its stream. Throws Error(device).
+// Traces with a thread per ray.
+template <Query query, class M, class C, class Stored, class Structure>
+KernelSize trace_by_threads(const DeviceFilesOf<Stored>& files, const Structure& structure,
+                            const RayBatch<typename M::Real>& batch) {
+  auto* const kernel = trace_kernel<query, OnDevice<M>, Stored, Structure, C>;
+  const KernelSize size = files.kernels->of(kernel, rays_per_block).size;
+  batch.begin();
+  launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.memory.stream,
+         files.scene.view, structure, batch.rays, batch.count, batch.results, batch.counts);
+  return size;
+}
+
+template <class C, Query query, class M, class Structure>
+constexpr bool has_loops =
+    std::is_same_v<C, NoCounts>&& has_warp_loops<query, typename M::TestRay, Structure>;
+
+// How a list goes through each structure, by the loop that is asked for where that has kernels:
+//
+//                    thread_per_ray       warp             warp_refill
+//   merged grid      trace_by_threads     trace_by_warps   trace_by_warps
+//   hierarchy        trace_by_hierarchy   as the former    trace_by_hierarchy
+//   uniform grid     as any structure     trace_by_warps   trace_by_warps: for comparison, by all kinds' code
+//   any structure    trace_by_threads     trace_by_warps   trace_by_warps: of merged grids alone
+template <Query query, class M, class C, class Stored, class Structure>
+KernelSize trace_list(const DeviceFilesOf<Stored>& files, const Structure& structure, RayLoop loop,
+                      const RayBatch<typename M::Real>& batch) {
+  if constexpr (has_loops<C, query, M, Structure>) {
+    if constexpr (is_hierarchy<Structure>) return trace_by_hierarchy<query, M>(files, structure, loop, batch);
+    if (goes_by_warps(loop, batch)) return trace_by_warps<query, M>(files, structure, loop, batch);
+  }
+  return trace_by_threads<query, M, C>(files, structure, batch);
+}
+template <Query query, class M, class C, class Stored>
+KernelSize trace_list(const DeviceFilesOf<Stored>& files, const GridView<typename M::Real>& grid,
+                      RayLoop loop, const RayBatch<typename M::Real>& batch) {
+  using General = Method<typename M::TestRay, with_all_kinds>;
+  if constexpr (has_loops<C, query, M, GridView<typename M::Real>>)
+    if (goes_by_warps(loop, batch)) return trace_by_warps<query, General>(files, grid, loop, batch);
+  return trace_by_threads<query, General, C>(files, any_structure<typename M::Real>(files.structure.records),
+                                             batch);
+}
+template <Query query, class M, class C, class Stored>
+KernelSize trace_list(const DeviceFilesOf<Stored>& files, const AnyStructure<typename M::Real>& any,
+                      RayLoop loop, const RayBatch<typename M::Real>& batch) {
+  if constexpr (has_loops<C, query, M, AnyStructure<typename M::Real>>)
+    if (goes_by_warps(loop, batch) && any.form == StructureForm::merged && any.stop == StopRule::proven)
+      return trace_by_warps<query, M>(files, any.merged, loop, batch);
+  return trace_by_threads<query, M, C>(files, any, batch);
+}
+
 template <class TestRay, class Stored>
-KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                       const StructureFile* host_grid, const RaysRequest& request,
-                       const RayBatch<typename TestRay::Real>& batch) {
-  using Real = typename TestRay::Real;
+KernelSize launch_batch(const DeviceFilesOf<Stored>& files, const RaysRequest& request,
+                        const RayBatch<typename TestRay::Real>& batch) {
   KernelSize size{};
-  const auto& scene = files.scene.view;
-  const bool by_warps = request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps;
-  with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
-    const auto grid = files.moved(view);
-    using Accelerator = std::decay_t<decltype(grid)>;
-    with_query(request.query, [&]<Query query>(QueryTag<query>) {
-      // Lists go through uniform grids for comparison: for all kinds, and where a thread traces each ray by
-      // the kernel for all structures.
-      constexpr bool is_uniform = std::is_same_v<Accelerator, GridView<Real>>;
-      using Used = std::conditional_t<is_uniform, Method<TestRay, with_all_kinds>, M>;
-      constexpr bool has_loops = std::is_same_v<C, NoCounts> && has_warp_loops<query, TestRay, Accelerator>;
-      if constexpr (has_loops) {
-        if constexpr (is_any_structure<Accelerator>) {
-          if (by_warps && grid.form == StructureForm::merged && grid.stop == StopRule::proven) {
-            size = trace_by_warps<query, Used>(files, grid.merged, request.loop, batch);
-            return;
-          }
-        } else if constexpr (!is_hierarchy<Accelerator>) {
-          if (by_warps) {
-            size = trace_by_warps<query, Used>(files, grid, request.loop, batch);
-            return;
-          }
-        } else {
-          size = trace_by_hierarchy<query, Used>(files, grid, request.loop, batch); // `warp` is of grids
-          return;
-        }
-      }
-      if constexpr (!has_loops || !is_hierarchy<Accelerator>) {
-        const auto trace_through = [&](const auto& structure) {
-          auto* const kernel =
-              trace_kernel<query, OnDevice<Used>, Stored, std::decay_t<decltype(structure)>, C>;
-          size = files.kernels->of(kernel, rays_per_block).size;
-          batch.begin();
-          launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.queue.stream, scene,
-                 structure, batch.rays, batch.count, batch.results, batch.counts);
-        };
-        if constexpr (is_uniform)
-          trace_through(files.grid.moved(any_structure<Real>(host_grid)));
-        else
-          trace_through(grid);
-      }
-    });
-  });
+  with_method<TestRay, Stored>(
+      files.structure.records, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
+        with_query(request.query, [&]<Query query>(QueryTag<query>) {
+          size = trace_list<query, M, C>(files, files.on_device(view), request.loop, batch);
+        });
+      });
   return size;
 }
 
 template <class TestRay, class Stored>
-KernelSize queue_hits(const DeviceFilesOf<Stored>& files, const StructureFile* host_grid,
-                      const HitRules& rules, const RayFilters& filters,
-                      const RayBatch<typename TestRay::Real>& batch) {
+KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const HitRules& rules, const RayFilters& filters,
+                       const RayBatch<typename TestRay::Real>& batch) {
   using Real = typename TestRay::Real;
   auto* const kernel = hits_kernel<OnDevice<Method<TestRay, with_all_kinds>>, Stored>;
   batch.begin();
-  launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.queue.stream, files.scene.view,
-         files.grid.moved(any_structure<Real>(host_grid)), batch.rays, filters, batch.count, rules,
-         batch.results);
+  launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.memory.stream,
+         files.scene.view, any_structure<Real>(files.structure.records), batch.rays, filters, batch.count,
+         rules, batch.results);
   return files.kernels->of(kernel, rays_per_block).size;
 }
 
 template <class Real, class Stored>
-void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
-                      const RayResults& results) {
+void launch_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
+                       const RayResults& results) {
   launch(attributes_kernel<Real, Stored>, blocks_of(rays_per_block, batch.count), rays_per_block,
-         batch.queue.stream, files.scene.view, batch.rays, batch.count, batch.results, results);
+         batch.memory.stream, files.scene.view, batch.rays, batch.count, batch.results, results);
 }
 
 } // namespace masu

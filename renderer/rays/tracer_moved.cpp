@@ -8,8 +8,9 @@ namespace masu {
 
 std::optional<Tracer> Tracer::moved(const Vertices& vertices) const {
   Tracer tracer = *this;
-  on_threads(files_.size(),
-             [&](std::size_t i) { tracer.files_[i] = moved_files_cuda(*files_[i], scene_, vertices); });
+  on_threads(files_.size(), [&](std::size_t i) {
+    tracer.files_[i] = moved_files_cuda(*files_[i], scene_.origin(), vertices);
+  });
   if (std::ranges::count(tracer.files_, nullptr) > 0) return std::nullopt;
   return tracer;
 }

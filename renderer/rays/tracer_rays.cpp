@@ -101,8 +101,7 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
     return report;
   }
   std::atomic<std::size_t> next_piece = 0;
-  return trace_rays_cuda(*files_.at(index), scene_, grid_, to_local(rays), results, resolved_request,
-                         next_piece);
+  return trace_rays_cuda(*files_.at(index), to_local(rays), results, resolved_request, next_piece);
 }
 
 QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
@@ -114,7 +113,7 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
   QueryReport all;
   const auto trace_pieces = [&](std::size_t index) {
     const QueryReport report =
-        trace_rays_cuda(*files_[index], scene_, grid_, to_local(rays), results, resolved_request, next_piece);
+        trace_rays_cuda(*files_[index], to_local(rays), results, resolved_request, next_piece);
     const std::lock_guard lock(mutex);
     all.counts += report.counts;
     all.seconds += report.seconds;
@@ -135,7 +134,7 @@ QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& resul
   const RaysRequest resolved_request = resolved(request, rays, results);
   if (resolved_request.tracing.count)
     throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
-  return queue_rays_cuda(*files_[index], scene_, grid_, to_local(rays), results, resolved_request, stream);
+  return launch_rays_cuda(*files_[index], to_local(rays), results, resolved_request, stream);
 }
 
 RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName name) const {
@@ -163,7 +162,7 @@ ResidentRays Tracer::upload(std::span<const Ray<double>> rays, Precision precisi
 
 QueryReport Tracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
   if (device_ == Device::cpu) return trace(rays.list, rays.results, request);
-  return time_rays_cuda(*files_.front(), scene_, grid_, rays, resolved(request, rays.list, rays.results));
+  return time_rays_cuda(*files_.front(), rays, resolved(request, rays.list, rays.results));
 }
 
 } // namespace masu

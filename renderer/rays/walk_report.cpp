@@ -341,11 +341,13 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   TracingRules rules = request.tracing;
   rules.count = true; // the code for all kinds
   with_store_and_arithmetic(
-      tracer.scene(), rules.precision, [&]<class TestRay>(const auto& scene, Arithmetic<TestRay>) {
-        with_method<TestRay>(scene, grid, rules, [&]<class M, class C>(const auto& accelerator, M, C) {
-          if constexpr (std::is_same_v<C, Counts>)
-            record<M>(scene, tracer.scene().origin(), accelerator, request, report);
-        });
+      tracer.scene(), rules.precision,
+      [&]<class TestRay, class Stored>(const SceneView<Stored>& scene, Arithmetic<TestRay>) {
+        with_method<TestRay, Stored>(
+            records_of(grid), rules, [&]<class M, class C>(const auto& accelerator, M, C) {
+              if constexpr (std::is_same_v<C, Counts>)
+                record<M>(scene, tracer.scene().origin(), accelerator, request, report);
+            });
       });
   move_to_world(tracer.scene().origin(), report);
   tracer.scene().check_unchanged();

@@ -41,7 +41,7 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Struc
   std::vector<Hit<Real>> first(rays.size());
   const auto for_each_ray = [&](const auto& act) { tbb::parallel_for(std::size_t{0}, rays.size(), act); };
   if (stop == StopRule::first_cell) {
-    AnyStructure<Real> any = any_structure<Real>(grids.front());
+    AnyStructure<Real> any = any_structure<Real>(StructureRecords(grids.front()));
     any.stop = stop;
     for_each_ray([&](std::size_t i) {
       const Hit<Real> hit = find<M>(scene, any, rays[i]);
@@ -266,14 +266,17 @@ std::vector<Found> found_through(const SceneFile& scene, const StructureFile& gr
   TracingRules rules;
   rules.precision = mode.precision;
   rules.stop = mode.stop;
-  with_store_and_arithmetic(scene, mode.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
-    with_method<TestRay>(view, &grid, rules, [&]<class M>(const auto& accelerator, M, const auto&) {
-      tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
-        const auto hit = find<M>(view, accelerator, rays[i]);
-        found[i] = {static_cast<double>(hit.t), hit.primitive, true};
+  with_store_and_arithmetic(
+      scene, mode.precision,
+      [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
+        with_method<TestRay, Stored>(grid.records(), rules,
+                                     [&]<class M>(const auto& accelerator, M, const auto&) {
+                                       tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+                                         const auto hit = find<M>(view, accelerator, rays[i]);
+                                         found[i] = {static_cast<double>(hit.t), hit.primitive, true};
+                                       });
+                                     });
       });
-    });
-  });
   return found;
 }
 

@@ -1,0 +1,110 @@
+// A tracer's files on a CUDA device, and what its queries share there. CUDA sources only.
+#pragma once
+
+#include "renderer/arithmetic.h"
+#include "renderer/cuda/device_scene.h"
+#include "renderer/cuda/host_rays.h"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace masu {
+
+// What queries borrow and give back, for the next one. For threads at the same time.
+template <class T>
+class Pool {
+public:
+  // Given back at the end of its life.
+  struct Borrowed {
+    Pool& pool;
+    std::unique_ptr<T> taken;
+    T* operator->() const { return taken.get(); }
+    T& operator*() const { return *taken; }
+    ~Borrowed() { pool.give_back(std::move(taken)); }
+  };
+  Borrowed borrow() { return {*this, take()}; }
+
+  // None is borrowed.
+  void clear() { free_.clear(); }
+
+private:
+  std::unique_ptr<T> take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) {
+      free_.reserve(++made_); // so that giving back can't fail
+      return std::make_unique<T>();
+    }
+    std::unique_ptr<T> taken = std::move(free_.back());
+    free_.pop_back();
+    return taken;
+  }
+  void give_back(std::unique_ptr<T> taken) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(taken));
+  }
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<T>> free_;
+  std::size_t made_ = 0;
+};
+
+// What a tracer has on a device besides, whatever becomes of its scene.
+struct DeviceMemory {
+  int device;
+  MemoryPool pool; // of all that is allocated there: destroyed last
+  Pool<HostRayBuffers> buffers;
+  Pool<FrameBuffers> frames;
+  DeviceArray<std::uint32_t> indices; // of moved vertices (Tracer::moved)
+
+  explicit DeviceMemory(int current_device) : device(current_device) {}
+  DeviceMemory(const DeviceMemory&) = delete;
+  DeviceMemory& operator=(const DeviceMemory&) = delete;
+  ~DeviceMemory() {
+    on_device_if_possible(device, [&] {
+      buffers.clear();
+      frames.clear();
+      indices = {};
+    });
+  }
+};
+
+// A scene and its structure, of either store: one of them.
+struct DeviceFiles {
+  std::shared_ptr<DeviceMemory> memory;
+  unsigned kinds = with_all_kinds; // of primitives in the scene
+  std::optional<DeviceFilesOf<float>> float32;
+  std::optional<DeviceFilesOf<double>> float64;
+
+  explicit DeviceFiles(std::shared_ptr<DeviceMemory> of_device) : memory(std::move(of_device)) {}
+  DeviceFiles(const DeviceFiles&) = delete;
+  DeviceFiles& operator=(const DeviceFiles&) = delete;
+  // Waits for queries that are still queued.
+  ~DeviceFiles() {
+    on_device_if_possible(memory->device, [&] {
+      static_cast<void>(cudaDeviceSynchronize());
+      float32.reset();
+      float64.reset();
+    });
+  }
+
+  // Calls act(DeviceFilesOf) with the one that is there.
+  template <class Act>
+  auto with_store(const Act& act) const {
+    return float32 ? act(*float32) : act(*float64);
+  }
+  // Calls act(DeviceFilesOf, Arithmetic); `precision` is resolved.
+  template <class Act>
+  void with_arithmetic(Precision precision, const Act& act) const {
+    with_store([&](const auto& files) {
+      masu::with_arithmetic(files.scene.view, precision, [&](auto arithmetic) { act(files, arithmetic); });
+    });
+  }
+  // Whether what is traced by these rules is counted: brute force always is.
+  bool are_counted(const TracingRules& rules) const {
+    return rules.count || !with_store([](const auto& files) { return files.structure.records.has_value(); });
+  }
+};
+
+} // namespace masu

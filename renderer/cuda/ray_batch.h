@@ -1,0 +1,52 @@
+// Queries of rays and pictures in a CUDA device's memory, put on a stream. CUDA sources only.
+#pragma once
+
+#include "renderer/cuda/device_files.h"
+
+namespace masu {
+
+// A list of rays in device memory, in the arithmetic's numbers, on its way through a stream.
+template <class Real>
+struct RayBatch {
+  const Ray<Real>* rays;
+  std::uint64_t count;
+  RayResults results; // nearest_hit: t and primitive are there if there are attributes to find
+  Counts* counts;     // null: not counted
+  StreamMemory memory;
+  cudaEvent_t begun; // recorded before the first kernel; may be null
+
+  void begin() const {
+    if (begun != nullptr) check(cudaEventRecord(begun, memory.stream));
+  }
+};
+
+// For each arithmetic and store: render_float.cu, rays_float.cu, …. Throw Error(device).
+template <class TestRay, class Stored>
+void render_on_device(const DeviceFilesOf<Stored>& files, const FrameRequest& request, FrameBuffers& buffers,
+                      Frame& frame);
+// The picture's pixels of the radiance along all its rays.
+void launch_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
+                  const DeviceArray<std::uint8_t>& rgb, cudaStream_t stream);
+// Of camera rays that were traced.
+template <class Real, class Stored>
+void launch_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
+                       const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream);
+template <class TestRay, class Stored>
+KernelSize launch_batch(const DeviceFilesOf<Stored>& files, const RaysRequest& request,
+                        const RayBatch<typename TestRay::Real>& batch);
+// Hits in order (hit_list.h); not by `fast`.
+template <class TestRay, class Stored>
+KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const HitRules& rules, const RayFilters& filters,
+                       const RayBatch<typename TestRay::Real>& batch);
+template <class Real, class Stored>
+void launch_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
+                       const RayResults& results);
+
+// Puts a query of rays in the memory of the files' device, the current one, on a stream. Counts are added to
+// `counts` there, where that isn't null. `begun`, where it isn't null, is recorded when memory is there and
+// the kernels come. Throws Error(device).
+KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayResults& results,
+                       const RaysRequest& request, Counts* counts, cudaStream_t stream,
+                       cudaEvent_t begun = nullptr);
+
+} // namespace masu
