@@ -5,7 +5,7 @@
 #include "objects.h"
 #include "renderer/rays/automatic_loop.h"
 #include "renderer/rays/closest_points.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <mutex>
 #include <optional>
@@ -18,7 +18,7 @@ namespace {
 struct State {
   std::shared_ptr<const masu::SceneFile> scene;
   std::shared_ptr<const masu::StructureFile> grid; // none for brute force
-  masu::Tracer tracer;
+  masu::ResidentTracer tracer;
   std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
   bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
   mutable std::mutex mutex;                // of what follows
@@ -31,7 +31,7 @@ struct State {
       : scene(std::move(scene_)), grid(std::move(grid_)),
         tracer(*scene, grid.get(), gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus),
         loops(std::make_shared<masu::UsualLoops>()) {}
-  State(const State& before, masu::Tracer moved)
+  State(const State& before, masu::ResidentTracer moved)
       : scene(before.scene), grid(before.grid), tracer(std::move(moved)), loops(before.loops),
         is_on_gpu_alone(true) {}
 };
@@ -151,7 +151,7 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
            Query query, const RayResults& results, std::uint32_t limit = 1) {
   if (count == 0) return;
   const auto state = tracer_handle.state();
-  const Tracer& tracer = state->tracer;
+  const ResidentTracer& tracer = state->tracer;
   require(rays, "rays");
   const masu_query wanted = options != nullptr ? taken(options, "masu_query") : masu_query{};
   RaysRequest request;
@@ -216,7 +216,7 @@ Vertices vertices_of(const masu_vertices& given, const SceneVertices& scene) {
 // Refitted where the tracer traces; where that can't be, built anew in host memory.
 std::shared_ptr<const State> moved(const State& before, const Vertices& vertices) {
   if (before.tracer.device() == Device::cuda) {
-    if (std::optional<Tracer> tracer = before.tracer.moved(vertices))
+    if (std::optional<ResidentTracer> tracer = before.tracer.moved(vertices))
       return std::make_shared<const State>(before, *std::move(tracer));
   }
   auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));

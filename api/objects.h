@@ -5,7 +5,7 @@
 #include "libscene/base/host_array.h"
 #include "libscene/file/scene_file.h"
 #include "masu.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <functional>
 #include <memory>

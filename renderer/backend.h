@@ -2,11 +2,20 @@
 // program was built without CUDA.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "libgrid/file/structure_file.h"
+#include "libscene/cuda/cuda_device.h"
+#include "libscene/file/scene_file.h"
+#include "libscene/mesh/vertices.h"
+#include "renderer/frame.h"
+#include "renderer/rays/ray_list.h"
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
 
 namespace masu {
+
+struct DeviceFiles; // a scene and its structure in a GPU's memory
 
 // Where a frame keeps its costs.
 inline RayCosts costs_of(Frame& frame) {
@@ -41,7 +50,7 @@ void set_up_cuda(int device);
 // before any index in it is followed. Throws Error(device), Error(input) for a damaged or changed file.
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* grid,
                                                      int device);
-// Tracer::moved() on a device, of a scene of that origin: null where it returns none.
+// ResidentTracer::moved() on a device, of a scene of that origin: null where it returns none.
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,
                                                     const Vertices& vertices);
 // The kinds of primitives in them (with_triangles, …).

@@ -20,7 +20,7 @@ const char* name_of(Channel channel) {
   return names.at(static_cast<std::size_t>(channel));
 }
 
-Channels trace_channels(const Tracer& tracer, const ChannelsRequest& request) {
+Channels trace_channels(const ResidentTracer& tracer, const ChannelsRequest& request) {
   const auto has = [&](Channel channel) { return std::ranges::count(request.channels, channel) > 0; };
   const bool costs = has(Channel::cells) || has(Channel::tests) || has(Channel::idle);
   FrameRequest frame = request.frame;

@@ -4,7 +4,7 @@
 
 #include "libscene/base/host_array.h"
 #include "renderer/picture_warps.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <vector>
 
@@ -41,7 +41,7 @@ struct Channels {
 };
 
 // The values are the same bits on the CPU and on a GPU in `robust` and `double` precision. Throws as
-// Tracer::render() does.
-Channels trace_channels(const Tracer& tracer, const ChannelsRequest& request);
+// ResidentTracer::render() does.
+Channels trace_channels(const ResidentTracer& tracer, const ChannelsRequest& request);
 
 } // namespace masu

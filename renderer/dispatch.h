@@ -1,10 +1,11 @@
 // From what a scene holds and a request says to the code compiled for it.
 #pragma once
 
+#include "libgrid/file/structure_file.h"
 #include "libgrid/trace/any_structure.h"
 #include "renderer/arithmetic.h"
 #include "renderer/render_pixel.h"
-#include "renderer/tracer.h"
+#include "renderer/tracing_rules.h"
 
 #include <algorithm>
 #include <optional>

@@ -54,8 +54,8 @@ struct RayStack {
   PendingRay<Real> rays[largest_depth];
   int size = 0;
 
-  // Depths are checked before anything is traced (Tracer): there is room. Should a caller have let a larger
-  // one pass, the ray is dropped.
+  // Depths are checked before anything is traced (ResidentTracer): there is room. Should a caller have let a
+  // larger one pass, the ray is dropped.
   MASU_HD void push(const PendingRay<Real>& ray) {
     if (size < largest_depth) rays[size++] = ray;
   }

@@ -46,7 +46,7 @@ double distance_to(const Boxd& box, const Vec3d& p) {
 }
 
 // A sample of camera rays and what they see.
-Frame sampled(const Tracer& tracer, const FrameRequest& picture, Precision precision, float offset) {
+Frame sampled(const ResidentTracer& tracer, const FrameRequest& picture, Precision precision, float offset) {
   FrameRequest sample;
   sample.tracing.precision = precision;
   sample.camera = picture.camera;
@@ -68,7 +68,7 @@ int differing_rays(const Frame& a, const Frame& b) {
 
 } // namespace
 
-ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request) {
+ViewPrecision view_precision(const ResidentTracer& tracer, const FrameRequest& request) {
   const SceneFile& scene = tracer.scene();
   const Boxd bounds = scene.bounds();
   ViewPrecision chosen;

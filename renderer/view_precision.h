@@ -1,7 +1,7 @@
 // Which arithmetic a picture needs: `--precision auto` follows the view.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <string>
 
@@ -23,10 +23,10 @@ struct ViewPrecision {
 // sample (Sampling::sparse) is shaded as the request says, in double and, where the bound doesn't decide, in
 // robust. Independent of the grid, of the device but for what pow() rounds differently there, and of the part
 // of the picture that is traced.
-ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request);
+ViewPrecision view_precision(const ResidentTracer& tracer, const FrameRequest& request);
 
 // Of a picture: the requested one, or for automatic its view's.
-inline Precision picture_precision(const Tracer& tracer, const FrameRequest& request) {
+inline Precision picture_precision(const ResidentTracer& tracer, const FrameRequest& request) {
   const Precision wanted = request.tracing.precision;
   return wanted == Precision::automatic ? view_precision(tracer, request).precision : wanted;
 }

@@ -1,7 +1,7 @@
 // Scenes in whose pictures float32's errors are seen, by one parameter each; and how far off pictures are.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/scene_builder.h"
 
 namespace masu {

@@ -1,7 +1,7 @@
 // Small scenes made and rendered in a test: through the files, as the tools do it.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/grid_of_scene.h"
 #include "tests/same_values.h"
 #include "tests/temporary_folder.h"
@@ -32,7 +32,7 @@ public:
     request.hits = request.tracing.count = true;
     return request;
   }
-  Tracer tracer(Device device = Device::cpu, bool with_grid = true) const {
+  ResidentTracer tracer(Device device = Device::cpu, bool with_grid = true) const {
     return {*scene_, with_grid ? grid_.get() : nullptr, device};
   }
   Frame frame(const FrameRequest& request) const { return tracer().render(request); }

@@ -1,7 +1,7 @@
 // Uses every kind of index in a scene and a grid, for tests with hostile files.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/grid_of_scene.h"
 
 #include <cmath>
@@ -31,7 +31,7 @@ inline void trace_a_little(const SceneFile& scene, const StructureFile* grid) {
   FrameRequest request;
   request.camera = {vector(c.from()), vector(c.at()), vector(c.up()), c.angle(), c.hither(), 6, 6};
   request.hits = request.hither = true;
-  const Tracer tracer(scene, grid, Device::cpu);
+  const ResidentTracer tracer(scene, grid, Device::cpu);
   static_cast<void>(tracer.render(request));
   request.tracing.count = request.rules.spd_rules = true;
   static_cast<void>(tracer.render(request));

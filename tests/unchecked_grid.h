@@ -1,7 +1,7 @@
 // Damaged grids, as gridrender opens them for a device.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/hostile_files.h"
 #include "tests/tiny_scene.h"
 #include "tests/tracing_probe.h"
@@ -23,7 +23,7 @@ inline testing::AssertionResult is_refused_by_tracer(Device device) {
     const StructureFile grid(path, residence);
     FrameRequest request;
     request.camera = scene.camera();
-    static_cast<void>(Tracer(scene, &grid, device).render(request));
+    static_cast<void>(ResidentTracer(scene, &grid, device).render(request));
   };
   return is_refused(open_and_render, grid_path);
 }

@@ -21,5 +21,14 @@ run $bin/nff2bin "$out.nff" -o "$out.scene" --info
 run $bin/gridbuild "$out.scene" -o "$out.grid"
 run $bin/gridstat "$out.grid"
 run $bin/gridrender "$out.scene" "$out.grid" -o "$out.png" --stats "$out.json"
-echo
-echo "the picture: $out.png"
+cat <<NEXT
+
+the picture: $out.png
+
+next, with a mesh of your own (OBJ, PLY, STL, OFF; others where there is Assimp):
+  cmake --build build --parallel --target mesh2bin gridview
+  $bin/mesh2bin model.obj -o out/model.scene
+  $bin/gridbuild out/model.scene -o out/model.grid
+  $bin/gridrender out/model.scene out/model.grid -o out/model.png
+  $bin/gridview out/model.scene out/model.grid    # in a browser
+NEXT

@@ -180,13 +180,14 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
 
 // --- The tool's run ---------------------------------------------------------------------------------------
 
-TracingReport render_pictures(const Tracer& tracer, const ViewsRequest& request, const Sharing& sharing,
-                              bool quiet) {
+TracingReport render_pictures(const ResidentTracer& tracer, const ViewsRequest& request,
+                              const Sharing& sharing, bool quiet) {
   Progress progress("rendering", quiet);
   return render_views(tracer, request, sharing, progress.callback());
 }
 
-TracingReport render_channels(const Tracer& tracer, const Settings& settings, const ViewsRequest& views) {
+TracingReport render_channels(const ResidentTracer& tracer, const Settings& settings,
+                              const ViewsRequest& views) {
   Progress progress("tracing channels", settings.tracing.quiet);
   return write_channels(tracer,
                         {{parse_channels(settings.channels), views.frame, settings.all_rays},

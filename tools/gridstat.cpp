@@ -43,7 +43,7 @@ void draw_slice(const StructureFile& file, const Settings& settings) {
   const SlicePlane plane = parse_slice(settings.slice, finest);
   SliceWindow window = parse_window(settings.window, finest, plane.axis);
   window.depth = settings.depth;
-  std::vector<SectionSegment> outline;
+  std::vector<CutSegment> outline;
   if (!settings.outline.empty()) {
     const SceneFile scene(settings.outline);
     file.check_geometry(scene.geometry_hash(), scene.primitive_count());

@@ -78,19 +78,23 @@ tests=(file gnuplot-nox help2man libgmp-dev patchelf python3-numpy python3-venv)
 # for JPEG pictures; libopenmpi-dev, openmpi-bin: for gridrender-mpi and gridtrace-mpi
 extras=(libassimp-dev libcpp-httplib-dev libopenmpi-dev libturbojpeg0-dev ninja-build openmpi-bin pkg-config)
 
-# Sets cuda_options for cmake.
+# Sets cuda_options for cmake. Without a GPU kernels are built only where MASU_CUDA=ON asks for that: they take most of
+# the time, and nothing there can run them.
 find_cuda() {
   # CUDA's installer doesn't add nvcc to the PATH.
   if ! command -v nvcc >/dev/null && [ -x /usr/local/cuda/bin/nvcc ]; then PATH=$PATH:/usr/local/cuda/bin; fi
-  if [ "${MASU_CUDA:-AUTO}" != OFF ] && command -v nvcc >/dev/null; then
-    # For this machine's GPU, and no PTX for others; without a GPU for one architecture, to check that it compiles.
-    local architecture
-    architecture=$( (nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null || true) | head -n 1 | tr -d .)
+  local architecture # of this machine's GPU; no PTX for others
+  architecture=$( (nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null || true) | head -n 1 | tr -d .)
+  cuda_options=(-DMASU_CUDA=OFF)
+  if [ "${MASU_CUDA:-AUTO}" = OFF ]; then
+    echo "== MASU_CUDA=OFF: building for the CPU only"
+  elif ! command -v nvcc >/dev/null; then
+    echo "== no CUDA Toolkit (nvcc isn't on the PATH): building for the CPU only"
+  elif [ -z "$architecture" ] && [ "${MASU_CUDA:-AUTO}" != ON ]; then
+    echo "== no GPU: building for the CPU only (MASU_CUDA=ON builds the CUDA backend, too)"
+  else
     cuda_options=(-DMASU_CUDA=ON "-DMASU_CUDA_ARCHITECTURES=${architecture:-90}-real")
     echo "== CUDA Toolkit found ($(command -v nvcc)): building the CUDA backend for sm_${architecture:-90}"
-  else
-    cuda_options=(-DMASU_CUDA=OFF)
-    echo "== no CUDA Toolkit (nvcc isn't on the PATH), or MASU_CUDA=OFF: building for the CPU only"
   fi
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs missing packages, builds (with CUDA where there is a toolkit), and runs all tests. Its last line counts those
-# that were skipped, and of them those that need a GPU. test.sh --full also runs those labelled slow, which need 6 GB of
-# memory and of disk.
+# Installs missing packages, builds (with CUDA where there are a toolkit and a GPU), and runs all tests. Its last line
+# counts those that were skipped, and of them those that need a GPU. test.sh --full also runs those labelled slow, which
+# need 6 GB of memory and of disk.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/setup.sh

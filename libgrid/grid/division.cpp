@@ -1,5 +1,7 @@
 #include "libgrid/grid/division.h"
 
+#include "libgrid/structure/unit_costs.h"
+
 #include "libscene/base/error.h"
 #include "libscene/geometry/margin.h"
 
@@ -264,7 +266,6 @@ Vec3i division_of(const Vec3d& extent, const Vec3d& per_unit) {
 // a plane of the division with the probability of the plane's two faces over the box's surface, and meets a
 // voxel likewise (Crofton).
 double expected_cost(const DivisionStatistics& statistics, const GridLayout& layout) {
-  constexpr double test_over_step = 2.5;
   const auto surface = [](const Vec3d& w) { return 2 * (w.x * w.y + w.y * w.z + w.z * w.x); };
   const Vec3d w = layout.space.max - layout.space.min;
   const Vec3i n = layout.division;
@@ -276,7 +277,7 @@ double expected_cost(const DivisionStatistics& statistics, const GridLayout& lay
   for (int axis = 0; axis < 3; ++axis)
     dense_box.set(axis, std::max(dense_box[axis], h[axis]));
   const double tests = expected_references(statistics.dense, layout) * surface(h) / surface(dense_box);
-  return steps + test_over_step * tests;
+  return division_costs.step * steps + division_costs.test * tests;
 }
 
 // Voxels of equal sides, lambda·N of them. A space with a thin side keeps one voxel there, and the other

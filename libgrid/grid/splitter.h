@@ -6,6 +6,7 @@
 #include "libgrid/grid/grid_layout.h"
 #include "libgrid/grid/overlap/clipped_bounds.h"
 #include "libgrid/structure/structure_options.h"
+#include "libgrid/structure/unit_costs.h"
 #include "libscene/passes/thread_group.h"
 #include "libscene/scene_view.h"
 
@@ -15,9 +16,11 @@ namespace masu {
 
 // Kind irregular: a box is divided where the expected cost of a ray that meets it becomes least (the surface
 //   area heuristic: Goldsmith & Salmon, IEEE CG&A 7(5), 1987; MacDonald & Booth, The Visual Computer 6(3),
-//   1990), until no division makes it less than `alpha` times what it is. A test costs 1, the step to a cell
-//   step_cost, that to an empty one half of it, since empty cells are joined further (expand_passes.h).
+//   1990), until no division makes it less than `alpha` times what it is. Costs are splitting_costs
+//   (unit_costs.h), unless the options have another step_cost.
 // Kind balance: until no cell lists more than `target` primitives, so that both halves list about as many.
+
+static_assert(StructureOptions{}.step_cost == splitting_costs.step && splitting_costs.test == 1);
 
 // The part of a primitive in a box of voxels: the range of those it can meet, both ends included.
 struct Fragment {
@@ -107,7 +110,7 @@ struct Splitter {
     const Vec3d w = cast<double>(box.end - box.first) * size;
     const double area = w.x * w.y + w.y * w.z + w.z * w.x;
     const auto cost_of = [&](std::uint32_t listed) {
-      return listed + options.step_cost * (listed > 0 ? 1 : 0.5);
+      return listed + options.step_cost * (listed > 0 ? 1 : empty_step);
     };
     const double now = cost_of(count) * area;
     for_each_plane(group, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {

@@ -18,9 +18,6 @@
 
 namespace masu {
 
-template <class Executor>
-using ExecutorStructure = StructureIn<typename Executor::Memory>;
-
 // Pairs of a voxel's index in the storage order and a primitive that it lists, row by row of the voxels that
 // the primitive's bounds meet.
 template <class Stored>

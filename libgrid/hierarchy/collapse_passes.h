@@ -9,8 +9,10 @@
 // No byte of the result depends on the executor, its number of threads, or the numbers of binary nodes.
 #pragma once
 
-#include "libgrid/grid/uniform_passes.h"
 #include "libgrid/hierarchy/node_boxes.h"
+#include "libgrid/structure/structure.h"
+#include "libgrid/structure/unit_costs.h"
+#include "libscene/passes/passes.h"
 
 #include <utility>
 #include <vector>
@@ -44,8 +46,8 @@ struct alignas(16) CollapseCosts {
 };
 static_assert(sizeof(CollapseCosts) == 32);
 
-// Of a test, relative to a visit to a node.
-inline constexpr float test_cost = 0.3F;
+inline constexpr auto test_cost = static_cast<float>(collapse_unit_costs.test);
+static_assert(collapse_unit_costs.step == 1);
 
 MASU_HD inline CollapseCosts collapse_costs_of_leaf(const BinaryNode& node) {
   CollapseCosts costs{{1U << 31}, {}};

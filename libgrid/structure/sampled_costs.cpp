@@ -1,5 +1,7 @@
 #include "libgrid/structure/sampled_costs.h"
 
+#include "libgrid/structure/unit_costs.h"
+
 #include "libgrid/file/structure_file.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/geometry/random_rays.h"
@@ -108,24 +110,6 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view, con
   costs.aimed = mean(aimed, costs.rays);
   costs.scattered = mean(scattered, hits);
   return costs;
-}
-
-// Of a step to a cell or a node, and of a test: not seconds, but rounded numbers by which the choice among
-// structures is within a percent of the best for measured rates. tools/bench/scripts/choice.py measures it,
-// and prints those that would be best.
-struct UnitCosts {
-  double step, test;
-};
-UnitCosts unit_costs(StructureKind kind, Processor processor) {
-  const bool gpu = processor == Processor::gpu;
-  switch (kind) {
-  case StructureKind::uniform:
-    return gpu ? UnitCosts{1, 0.45} : UnitCosts{1.2, 1.2};
-  case StructureKind::hierarchy:
-    return gpu ? UnitCosts{0.8, 1.5} : UnitCosts{1, 0.5};
-  default:
-    return gpu ? UnitCosts{1, 0.9} : UnitCosts{1, 3};
-  }
 }
 
 } // namespace

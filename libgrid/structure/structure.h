@@ -48,6 +48,8 @@ struct StructureIn {
 };
 
 using Structure = StructureIn<HostMemory>;
+template <class Executor>
+using ExecutorStructure = StructureIn<typename Executor::Memory>;
 
 inline constexpr const char* too_many_references = "more references than are possible";
 inline constexpr const char* too_many_words = "more words for its map than are possible";

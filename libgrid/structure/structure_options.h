@@ -27,7 +27,7 @@ struct StructureOptions {
   StructureKind kind = StructureKind::uniform;
   std::uint32_t target = 8; // balance: the most references of a cell, where voxels allow it
   double alpha = 0.95;      // irregular: divide while that makes the cost less than alpha times what it is
-  double step_cost = 5;     // irregular: of the step to a cell, in intersection tests
+  double step_cost = 5;     // irregular: of the step to a cell, in intersection tests (unit_costs.h)
   double detail = 3;        // irregular: planes no closer than a primitive's typical extent over this
   std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis
   int expansions = 4;           // irregular: rounds of expansion; 0 for none

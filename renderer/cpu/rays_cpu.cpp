@@ -11,7 +11,7 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t rays_a_task = 4096;
+constexpr std::size_t rays_per_task = 4096;
 
 // Traces as many rays from `first` on as can be eight at a time; returns the first one left.
 template <Query query, class M, class Stored, class Structure, class C>
@@ -49,7 +49,7 @@ void trace(const SceneView<Stored>& scene, const Structure& grid, const RayList&
   ListProgress progress(report_progress, rays.count, 256,
                         std::is_same_v<Structure, NoStructure> ? scene.primitive_count() : 0);
   tbb::combinable<Counts> totals;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task), [&](const auto& range) {
     C counts;
     for (std::size_t i = trace_eights<query, M, Stored, Structure, C>(scene, grid, rays, results, progress,
                                                                       range.begin(), range.end());
@@ -78,14 +78,16 @@ void list_hits(const SceneView<Stored>& scene, const StructureFile* grid, const 
   using Real = typename TestRay::Real;
   ListProgress progress(report_progress, rays.count, 16, grid == nullptr ? scene.primitive_count() : 0);
   const AnyStructure<Real> structure = any_structure<Real>(records_of(grid));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task / 16), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      progress.done(i);
-      const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
-      write_hits<Method<TestRay, with_all_kinds>>(scene, structure, ray.ray, rays.filters, rules, results, i);
-      add_skipped(ray.skipped, results, i * rules.row(), rules.row());
-    }
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task / 16),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                        progress.done(i);
+                        const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
+                        write_hits<Method<TestRay, with_all_kinds>>(scene, structure, ray.ray, rays.filters,
+                                                                    rules, results, i);
+                        add_skipped(ray.skipped, results, i * rules.row(), rules.row());
+                      }
+                    });
 }
 
 } // namespace

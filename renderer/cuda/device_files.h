@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/arithmetic.h"
+#include "renderer/backend.h"
 #include "renderer/cuda/device_scene.h"
 #include "renderer/cuda/host_rays.h"
 
@@ -56,7 +57,7 @@ struct DeviceMemory {
   MemoryPool pool; // of all that is allocated there: destroyed last
   Pool<HostRayBuffers> buffers;
   Pool<FrameBuffers> frames;
-  DeviceArray<std::uint32_t> indices; // of moved vertices (Tracer::moved)
+  DeviceArray<std::uint32_t> indices; // of moved vertices (ResidentTracer::moved)
 
   explicit DeviceMemory(int current_device) : device(current_device) {}
   DeviceMemory(const DeviceMemory&) = delete;

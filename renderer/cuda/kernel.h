@@ -3,7 +3,7 @@
 
 #include "libscene/cuda/device_memory.h"
 #include "renderer/picture_warps.h"
-#include "renderer/tracer.h"
+#include "renderer/tracing_rules.h"
 
 #include <algorithm>
 #include <mutex>

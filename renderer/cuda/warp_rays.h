@@ -1,4 +1,4 @@
-// What the lanes of a warp share: rays, the walks along their ways, and how these are divided (CUDA sources
+// What the lanes of a warp share: rays, walks along segments of them, and how these are divided (CUDA sources
 // only).
 #pragma once
 
@@ -29,7 +29,7 @@ struct RayEnds {
   std::uint32_t number; // in the list
 };
 
-// What a lane has for others to help with: a list of its ray's, or a way.
+// What a lane has for others to help with: a list of its ray's, or a walk.
 struct SharedOut {
   std::uint32_t ray, list;
 };
@@ -78,22 +78,22 @@ struct WarpRays {
   SharedOut shared_out[lanes_per_warp]; // one after another
 };
 
-// A lane's walk: along the whole way of its own ray, or a piece of any ray's.
+// A lane's walk: along its own ray, or a segment of any ray.
 template <class Real, class Structure>
 struct LaneWalk {
   Walk<Real, Structure> walk;
-  Real end;          // of the piece
-  std::uint32_t ray; // whose way it is
+  Real end;          // of the segment
+  std::uint32_t ray; // whose segment it is
   bool under_way;
 
-  // What is left to go, as far as a hit may still be nearer, in so many pieces of equal length. They are
+  // What is left to go, as far as a hit may still be nearer, in so many segments of equal length. They are
   // worth being walked apart if none is shorter than a voxel.
   template <class TestRay>
-  __device__ Real piece_length(const Structure& grid, const WarpRays<TestRay>& rays, int pieces) const {
+  __device__ Real segment_length(const Structure& grid, const WarpRays<TestRay>& rays, int segments) const {
     const Real to = fast_min(end, fast_min(walk.end(grid), rays.nearest[ray].get().t));
-    return (to - walk.exit) / static_cast<Real>(pieces);
+    return (to - walk.exit) / static_cast<Real>(segments);
   }
-  __device__ bool is_worth_while(Real piece) const { return piece * walk.speed() > 1; }
+  __device__ bool is_worth_while(Real length) const { return length * walk.speed() > 1; }
 };
 
 template <class T>
@@ -110,18 +110,18 @@ __device__ inline T from_lane(const T& value, int lane) {
 }
 
 // Cuts what the walks under way have still to go, of which there are at most half as many as lanes, into as
-// many pieces of equal length as there are lanes for each; but into none shorter than a voxel.
+// many segments of equal length as there are lanes for each; but into none shorter than a voxel.
 template <class TestRay, class Structure>
 __device__ inline void split_segments(const Structure& grid, unsigned under_way, WarpRays<TestRay>& rays,
                                       LaneWalk<typename TestRay::Real, Structure>& own) {
   using Real = typename TestRay::Real;
   const unsigned lane = threadIdx.x % lanes_per_warp;
-  const int ways = __popc(under_way), log2 = lanes_log2_for_each(ways);
+  const int walks = __popc(under_way), log2 = lanes_log2_for_each(walks);
   __syncwarp(); // what was shared out before has been read
   if (own.under_way) rays.shared_out[rank_among(under_way, lane)].ray = lane;
   __syncwarp();
-  const int way = static_cast<int>(lane) >> log2, piece = static_cast<int>(lane) & ((1 << log2) - 1);
-  const int source = static_cast<int>(rays.shared_out[way < ways ? way : 0].ray);
+  const int of = static_cast<int>(lane) >> log2, segment = static_cast<int>(lane) & ((1 << log2) - 1);
+  const int source = static_cast<int>(rays.shared_out[of < walks ? of : 0].ray);
   Walk<Real, Structure>& walk = own.walk;
   own.ray = __shfl_sync(all_lanes, own.ray, source);
   own.end = from_lane(own.end, source);
@@ -129,14 +129,14 @@ __device__ inline void split_segments(const Structure& grid, unsigned under_way,
   walk.y = from_lane(walk.y, source);
   walk.z = from_lane(walk.z, source);
   walk.exit = from_lane(walk.exit, source);
-  own.under_way = way < ways;
-  const Real from = walk.exit, step = own.piece_length(grid, rays, 1 << log2);
+  own.under_way = of < walks;
+  const Real from = walk.exit, step = own.segment_length(grid, rays, 1 << log2);
   if (!own.is_worth_while(step)) {
-    own.under_way = own.under_way && piece == 0;
+    own.under_way = own.under_way && segment == 0;
     return;
   }
-  if (piece + 1 < 1 << log2) own.end = fma(step, static_cast<Real>(piece + 1), from);
-  if (piece > 0) walk.begin_at(grid, fma(step, static_cast<Real>(piece), from));
+  if (segment + 1 < 1 << log2) own.end = fma(step, static_cast<Real>(segment + 1), from);
+  if (segment > 0) walk.begin_at(grid, fma(step, static_cast<Real>(segment), from));
 }
 
 } // namespace masu

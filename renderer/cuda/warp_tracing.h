@@ -87,8 +87,8 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     warp_kernel(const SceneView<Stored> scene, const Structure grid, const RayQueue<typename M::Real> queue,
                 const int fetching, const RayResults results, const StragglerQueue<typename M::Real> left) {
   using Real = typename M::Real;
-  constexpr unsigned warps_a_block = rays_per_block / lanes_per_warp;
-  __shared__ WarpRays<typename M::TestRay> block_rays[warps_a_block];
+  constexpr unsigned warps_per_block = rays_per_block / lanes_per_warp;
+  __shared__ WarpRays<typename M::TestRay> block_rays[warps_per_block];
   // Looked up where rays are fetched, for they would take up registers.
   __shared__ struct {
     const std::uint32_t* chosen; // null: all rays
@@ -133,7 +133,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     has_ray = false;
   };
   if constexpr (finishes) {
-    const unsigned at = (lane * gridDim.x + blockIdx.x) * warps_a_block + warp;
+    const unsigned at = (lane * gridDim.x + blockIdx.x) * warps_per_block + warp;
     if (at < left.progress->left) {
       const Straggler<Real> ray = left.rays[at];
       begin(ray.number);

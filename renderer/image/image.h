@@ -1,8 +1,8 @@
 // Pictures: made from frames of camera rays, written as PNG, JPEG or PFM.
 #pragma once
 
+#include "renderer/frame.h"
 #include "renderer/image/png_file.h"
-#include "renderer/tracer.h"
 
 #include <span>
 #include <string>

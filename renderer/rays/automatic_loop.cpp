@@ -10,23 +10,24 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t rays_a_warp = 32, warps_sampled = 64;
+constexpr std::size_t rays_per_warp = 32, warps_sampled = 64;
 constexpr std::uint64_t many_rays = std::uint64_t{1} << 22; // measured on an H100
 
 // Warps' worth of neighbours, all over the list: at places i · φ modulo 1, which are as far from each other
 // as can be, and aren't in step with a picture's rows.
 std::vector<std::uint8_t> sample_of(const RayList& rays) {
-  const std::size_t size = rays.format.bytes_per_ray(), warps = rays.count / rays_a_warp;
+  const std::size_t size = rays.format.bytes_per_ray(), warps = rays.count / rays_per_warp;
   const std::size_t taken = std::min(warps, warps_sampled);
-  std::vector<std::uint8_t> sample(taken * rays_a_warp * size);
+  std::vector<std::uint8_t> sample(taken * rays_per_warp * size);
   for (std::size_t i = 0; i < taken; ++i) {
     const auto place =
         warps <= warps_sampled
             ? i
             : static_cast<std::size_t>(std::fmod(static_cast<double>(i) * std::numbers::phi, 1) *
                                        static_cast<double>(warps));
-    std::memcpy(sample.data() + i * rays_a_warp * size,
-                static_cast<const std::uint8_t*>(rays.rays) + place * rays_a_warp * size, rays_a_warp * size);
+    std::memcpy(sample.data() + i * rays_per_warp * size,
+                static_cast<const std::uint8_t*>(rays.rays) + place * rays_per_warp * size,
+                rays_per_warp * size);
   }
   return sample;
 }
@@ -50,7 +51,7 @@ std::vector<Ray<double>> camera_sample(const SceneFile& scene) {
 std::vector<Ray<double>> random_sample(const SceneFile& scene) {
   const Sphere<double> sphere = sphere_around(scene.bounds());
   std::vector<Ray<double>> sample;
-  for (std::size_t i = 0; i < warps_sampled * rays_a_warp; ++i) {
+  for (std::size_t i = 0; i < warps_sampled * rays_per_warp; ++i) {
     RandomSequence random(1, i);
     sample.push_back(random_ray<double>(sphere, random));
   }
@@ -59,9 +60,9 @@ std::vector<Ray<double>> random_sample(const SceneFile& scene) {
 
 } // namespace
 
-WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
+WarpCosts warp_costs(const ResidentTracer& tracer, const RayList& rays, Query query, Precision precision) {
   const std::vector<std::uint8_t> bytes = sample_of(rays);
-  const std::size_t count = bytes.size() / rays.format.bytes_per_ray(), warps = count / rays_a_warp;
+  const std::size_t count = bytes.size() / rays.format.bytes_per_ray(), warps = count / rays_per_warp;
   if (count == 0) return {};
   std::vector<std::uint32_t> cells(count), tests(count);
   std::vector<std::uint8_t> occluded(query == Query::occlusion ? count : 0);
@@ -75,7 +76,7 @@ WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Pre
   WarpCosts costs;
   for (std::size_t warp = 0; warp < warps; ++warp) {
     std::uint32_t most_work = 0, most_tests = 0;
-    for (std::size_t i = warp * rays_a_warp; i < (warp + 1) * rays_a_warp; ++i) {
+    for (std::size_t i = warp * rays_per_warp; i < (warp + 1) * rays_per_warp; ++i) {
       costs.work += cells[i] + tests[i];
       costs.tests += tests[i];
       most_work = std::max(most_work, cells[i] + tests[i]);
@@ -112,7 +113,7 @@ RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy) {
   return share && !is_hierarchy ? RayLoop::warp : RayLoop::thread_per_ray;
 }
 
-RayLoop UsualLoops::of(const Tracer& tracer, bool coherent, std::uint64_t count) {
+RayLoop UsualLoops::of(const ResidentTracer& tracer, bool coherent, std::uint64_t count) {
   std::atomic<int>& usual = usual_[coherent][count >= many_rays];
   if (const int known = usual; known != unknown) return static_cast<RayLoop>(known);
   const std::vector<Ray<double>> rays =
@@ -121,7 +122,7 @@ RayLoop UsualLoops::of(const Tracer& tracer, bool coherent, std::uint64_t count)
   for (const bool many : {false, true}) { // both by one sample
     costs.rays = many ? many_rays : 0;
     usual_[coherent][many] =
-        static_cast<int>(automatic_loop(costs, Query::nearest_hit, tracer.grid()->is_hierarchy()));
+        static_cast<int>(automatic_loop(costs, Query::nearest_hit, tracer.structure()->is_hierarchy()));
   }
   return static_cast<RayLoop>(usual.load());
 }

@@ -1,7 +1,7 @@
 // The loop by which a GPU traces a list of rays fastest, found out by tracing a few of them.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <atomic>
 
@@ -18,13 +18,15 @@ struct WarpCosts {
 // Of 2048 rays of a list in host memory, counted where the tracer traces: well below a millisecond on a GPU.
 // The tracer has a grid. Throws Error(usage) for rays that aren't there and a precision that doesn't hold the
 // scene, Error(device).
-WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision);
+WarpCosts warp_costs(const ResidentTracer& tracer, const RayList& rays, Query query, Precision precision);
 
 // The fastest loop for rays of such costs, or one within some per cent of it (docs/performance.md).
 RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy);
 
-inline RayLoop automatic_loop(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
-  return automatic_loop(warp_costs(tracer, rays, query, precision), query, tracer.grid()->is_hierarchy());
+inline RayLoop automatic_loop(const ResidentTracer& tracer, const RayList& rays, Query query,
+                              Precision precision) {
+  return automatic_loop(warp_costs(tracer, rays, query, precision), query,
+                        tracer.structure()->is_hierarchy());
 }
 
 // The loops for `count` rays that can't be looked at, because they are in a GPU's memory: that of the scene's
@@ -33,7 +35,7 @@ inline RayLoop automatic_loop(const Tracer& tracer, const RayList& rays, Query q
 // another, which may be a task that waits for it. They all find the same.
 class UsualLoops {
 public:
-  RayLoop of(const Tracer& tracer, bool coherent, std::uint64_t count);
+  RayLoop of(const ResidentTracer& tracer, bool coherent, std::uint64_t count);
 
 private:
   static constexpr int unknown = -1;

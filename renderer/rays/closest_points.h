@@ -1,7 +1,7 @@
 // Lists of places, and the points of a scene's surfaces that are closest to them: on the CPU.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 namespace masu {
 

@@ -328,9 +328,9 @@ void move_to_world(const Vec3d& origin, WalkReport& report) {
 
 } // namespace
 
-WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
+WalkReport trace_walk(const ResidentTracer& tracer, const WalkRequest& request) {
   check_depth(request.rules.depth);
-  const StructureFile* const grid = tracer.grid();
+  const StructureFile* const grid = tracer.structure();
   WalkReport report;
   report.space = tracer.scene().bounds();
   if (grid != nullptr) report.form = form_of(grid->records());
@@ -355,7 +355,7 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   return report;
 }
 
-WalkRequest camera_walk(const Tracer& tracer, const FrameRequest& request, std::int32_t column,
+WalkRequest camera_walk(const ResidentTracer& tracer, const FrameRequest& request, std::int32_t column,
                         std::int32_t row) {
   const RayWindow all = all_rays(request.camera, request.sampling);
   if (column < 0 || row < 0 || column >= all.columns || row >= all.rows)

@@ -5,7 +5,7 @@
 
 #include "libgrid/grid/grid_layout.h"
 #include "libgrid/trace/any_structure.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <cmath>
 #include <cstdint>
@@ -106,12 +106,12 @@ struct WalkRequest {
   bool is_relative = false;         // the ray's origin is relative to the scene's
 };
 
-// Throws Error(usage) as Tracer::render() does, and for a ray that isn't valid (ray_query.h).
-WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request);
+// Throws Error(usage) as ResidentTracer::render() does, and for a ray that isn't valid (ray_query.h).
+WalkReport trace_walk(const ResidentTracer& tracer, const WalkRequest& request);
 
 // Of a picture's camera ray, of a column and a row of all_rays(), as the picture traces it.
 // Throws Error(usage, "walk", …) for one that the picture doesn't have.
-WalkRequest camera_walk(const Tracer& tracer, const FrameRequest& request, std::int32_t column,
+WalkRequest camera_walk(const ResidentTracer& tracer, const FrameRequest& request, std::int32_t column,
                         std::int32_t row);
 
 const char* name_of(RayKind kind);

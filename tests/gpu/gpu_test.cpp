@@ -4,7 +4,7 @@
 #include "renderer/channels.h"
 #include "renderer/image/image.h"
 #include "renderer/rays/walk_report.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/rendering.h"
 #include "tests/spd_text.h"
 #include "tests/stability/random_seed.h"
@@ -286,7 +286,8 @@ struct HitLists {
   std::vector<std::uint8_t> front, inside, occluded;
   bool operator==(const HitLists&) const = default;
 
-  HitLists(const Tracer& tracer, RayList rays, const RayFilters& filters, const RaysRequest& request) {
+  HitLists(const ResidentTracer& tracer, RayList rays, const RayFilters& filters,
+           const RaysRequest& request) {
     const std::size_t n = rays.count, row = n * hit_rules(request).row();
     const bool lists = request.query == Query::nearest_hit || request.query == Query::all_hits;
     rays.filters = filters;
@@ -328,7 +329,8 @@ TEST_P(CpuAndGpu, ListTheSameHits) {
     const RayFilters exclusion{excluded.data()},
         chosen{excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
     for (const bool with_grid : {true, false}) {
-      const Tracer cpu = built.tracer(Device::cpu, with_grid), gpu = built.tracer(Device::cuda, with_grid);
+      const ResidentTracer cpu = built.tracer(Device::cpu, with_grid),
+                           gpu = built.tracer(Device::cuda, with_grid);
       const std::size_t few = with_grid ? rays.size() : 2000; // brute force takes long
       for (const Query query : {Query::nearest_hit, Query::occlusion, Query::all_hits, Query::count_hits}) {
         RaysRequest request;
@@ -356,7 +358,7 @@ TEST_P(CpuAndGpu, FindTheSameFromFarAway) {
     const RayHits found = expect_same_traced(built, rays, {.loop = loop});
     EXPECT_TRUE(std::ranges::any_of(found.hits, [](const HitRecord& hit) { return hit.name >= 0; }));
   }
-  const Tracer cpu = built.tracer(Device::cpu), gpu = built.tracer(Device::cuda);
+  const ResidentTracer cpu = built.tracer(Device::cpu), gpu = built.tracer(Device::cuda);
   for (const Query query : {Query::nearest_hit, Query::all_hits}) {
     const RaysRequest request{.query = query, .limit = 3};
     EXPECT_TRUE(HitLists(cpu, RayList(rays), {}, request) == HitLists(gpu, RayList(rays), {}, request));
@@ -387,8 +389,8 @@ TEST_P(CpuAndGpu, TraceTheSameChannels) {
       wanted.frame.tracing.precision = precision;
       for (const bool with_grid : {true, false}) {
         if (!with_grid && kind != StructureKind::uniform) continue;
-        const Tracer cpu_tracer = built.tracer(Device::cpu, with_grid),
-                     gpu_tracer = built.tracer(Device::cuda, with_grid);
+        const ResidentTracer cpu_tracer = built.tracer(Device::cpu, with_grid),
+                             gpu_tracer = built.tracer(Device::cuda, with_grid);
         for (const bool all_rays : {false, true}) {
           SCOPED_TRACE(all_rays ? "all rays" : "camera rays");
           wanted.all_rays = all_rays;
@@ -427,7 +429,7 @@ TEST_P(CpuAndGpu, WalksHaveTheHitsAndCountsOfAGpusChannels) {
   ChannelsRequest wanted;
   wanted.channels = {Channel::depth, Channel::primitive, Channel::cells, Channel::tests};
   wanted.frame = request(built, 40);
-  const Tracer tracer = built.tracer(Device::cuda);
+  const ResidentTracer tracer = built.tracer(Device::cuda);
   for (const bool all_rays : {false, true}) {
     wanted.all_rays = all_rays;
     const Channels channels = trace_channels(tracer, wanted);
@@ -515,13 +517,13 @@ TEST_P(CpuAndGpu, RenderAndTraceTheSameOnSeveralGpus) {
   band.window = {0, 100, 1301, 200};
   band.count_last_row = false;
   wanted.tracing.count = band.tracing.count = true;
-  const Tracer one = built.tracer(Device::cuda), cpu = built.tracer();
+  const ResidentTracer one = built.tracer(Device::cuda), cpu = built.tracer();
   const std::vector<Ray<double>> rays = random_rays(built.scene(), 2'300'000, 1);
   const RayHits expected_hits = one.hits(rays, {}, HitName::primitive);
   const Frame expected = one.render(wanted);
   for (const std::vector<int>& gpus : several_gpus()) {
     SCOPED_TRACE(testing::Message() << gpus.size() << " GPUs, the last one is " << gpus.back());
-    const Tracer several(built.scene(), &built.grid(), Device::cuda, gpus);
+    const ResidentTracer several(built.scene(), &built.grid(), Device::cuda, gpus);
     ASSERT_EQ(several.device_count(), gpus.size());
     expect_same_hits(expected_hits.hits, several.hits(rays, {}, HitName::primitive).hits);
     const Frame frame = several.render(wanted);
@@ -534,7 +536,7 @@ TEST_P(CpuAndGpu, RenderAndTraceTheSameOnSeveralGpus) {
       expect_same_frames(one.render(band, 0), in_used_memory);
     }
     const RaysRequest counted{.tracing = {.count = true}};
-    const auto counts = [&](const Tracer& tracer) { // of rays in the memory of its first GPU
+    const auto counts = [&](const ResidentTracer& tracer) { // of rays in the memory of its first GPU
       return tracer.trace(tracer.upload(rays, Precision::automatic), counted).counts;
     };
     expect_same_counts(counts(one), counts(several));
@@ -547,7 +549,7 @@ TEST_P(CpuAndGpu, CountBandsAsTheWhole) {
   FrameRequest wanted = request(built, 90);
   wanted.tracing.count = true;
   for (const Device device : {Device::cpu, Device::cuda}) {
-    const Tracer tracer = built.tracer(device);
+    const ResidentTracer tracer = built.tracer(device);
     Counts sum;
     for (const std::int32_t row : {0, 20, 40, 60, 80}) {
       FrameRequest band = wanted;

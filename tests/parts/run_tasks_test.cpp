@@ -22,7 +22,7 @@ bool comes(const std::atomic<bool>& event) {
 
 TEST(RunTasks, WhatIsWrittenWhileAnotherTaskFailsIsWhole) {
   const Rendering rendering(empty_scene({0, 0, 5}, {0, 0, 0}), Store::float32);
-  const Tracer tracer = rendering.tracer();
+  const ResidentTracer tracer = rendering.tracer();
   int beside = 0; // repeats in which another task was being written when the first one failed
   for (int repeat = 0; repeat < 10; ++repeat) {
     constexpr int tasks = 8, rows = 2000;

@@ -66,7 +66,7 @@ TEST_F(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
         most_work += longest / static_cast<double>(warps);
         most_tests += most / static_cast<double>(warps);
       }
-      const Tracer tracer = rendering.tracer();
+      const ResidentTracer tracer = rendering.tracer();
       const WarpCosts costs = warp_costs(tracer, rays, query, Precision::automatic);
       EXPECT_NEAR(costs.work, work, 1e-9 * work);
       EXPECT_NEAR(costs.tests, tests, 1e-9 * work);
@@ -80,7 +80,7 @@ TEST_F(AutomaticLoop, SamplesNothingBeyondTheList) {
   Scene scene = empty_scene({0, -4, 0}, {0, 0, 0});
   add_sphere(scene, {0, 0, 0}, 1, matte({1, 1, 1}));
   const Rendering rendering(scene, Store::float32);
-  const Tracer tracer = rendering.tracer();
+  const ResidentTracer tracer = rendering.tracer();
   const Ray<float> hitting = unbounded_ray<float>({0.1F, -4, 0.2F}, {0, 1, 0}),
                    missing = unbounded_ray<float>({0.1F, -4, 9}, {0, 1, 0});
   const auto costs_of = [&](const std::vector<Ray<float>>& rays, std::size_t count) {
@@ -183,7 +183,7 @@ TEST(UsualLoops, OfCoherentRaysIsThatOfTheCamera) {
 // A thread that waits inside a loop's task takes others, which must not wait for what it is doing.
 TEST(UsualLoops, MayBeAskedForByTasksWhileTheyAreFoundOut) {
   const Rendering rendering(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1");
-  const Tracer tracer = rendering.tracer();
+  const ResidentTracer tracer = rendering.tracer();
   for (int round = 0; round < 20; ++round) {
     UsualLoops loops;
     tbb::parallel_for(

@@ -93,7 +93,7 @@ TEST_F(CameraRays, APictureInUsedMemoryIsTheSame) {
     add_sphere(scene, chance_.direction(), chance_.uniform(0.1, 0.5), matte(random_color(chance_)));
   const Rendering rendering(scene, Store::float32);
   for (const StructureFile* const grid : {&rendering.grid(), static_cast<const StructureFile*>(nullptr)}) {
-    const Tracer tracer(rendering.scene(), grid, Device::cpu);
+    const ResidentTracer tracer(rendering.scene(), grid, Device::cpu);
     Frame memory;
     for (int i = 0; i < 40; ++i) {
       FrameRequest request = rendering.request();

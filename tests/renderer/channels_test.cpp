@@ -58,7 +58,7 @@ std::size_t size_of(const Channels& channels) {
   return static_cast<std::size_t>(channels.columns) * static_cast<std::size_t>(channels.rows);
 }
 
-Channels all_of(const Tracer& tracer, const FrameRequest& frame, bool all_rays = false) {
+Channels all_of(const ResidentTracer& tracer, const FrameRequest& frame, bool all_rays = false) {
   ChannelsRequest request;
   request.channels.assign(std::begin(all_channels), std::end(all_channels));
   request.frame = frame;
@@ -92,7 +92,7 @@ void for_random_pictures(std::int64_t scenes, const Check& check) {
                                       << name_of(with.precision));
       check(rendering.tracer(), request, chance);
       if (kind == StructureKind::uniform)
-        check(Tracer(rendering.scene(), nullptr, Device::cpu), request, chance);
+        check(ResidentTracer(rendering.scene(), nullptr, Device::cpu), request, chance);
       if (testing::Test::HasFailure()) return;
     }
   }
@@ -100,7 +100,7 @@ void for_random_pictures(std::int64_t scenes, const Check& check) {
 
 TEST(Channels, DepthObjectAndPrimitiveAreThePicturesHits) {
   std::size_t hits = 0;
-  for_random_pictures(40, [&](const Tracer& tracer, FrameRequest request, Chance&) {
+  for_random_pictures(40, [&](const ResidentTracer& tracer, FrameRequest request, Chance&) {
     const Channels channels = all_of(tracer, request);
     for (const HitName name : {HitName::object, HitName::primitive}) {
       request.rules.hit_name = name;
@@ -121,7 +121,7 @@ TEST(Channels, DepthObjectAndPrimitiveAreThePicturesHits) {
 
 // The sums over all rays are what --stats counts.
 TEST(Channels, CellsAndTestsSumUpToThePicturesCounts) {
-  for_random_pictures(40, [](const Tracer& tracer, const FrameRequest& request, Chance&) {
+  for_random_pictures(40, [](const ResidentTracer& tracer, const FrameRequest& request, Chance&) {
     const Channels all = all_of(tracer, request, true);
     const Frame frame = tracer.render(request);
     EXPECT_EQ(sum(all.cells), frame.counts.cells_visited);
@@ -145,7 +145,7 @@ TEST(Channels, CellsAndTestsSumUpToThePicturesCounts) {
 }
 
 TEST(Channels, OfAWindowAreAPartOfThePictures) {
-  for_random_pictures(12, [](const Tracer& tracer, FrameRequest request, Chance&) {
+  for_random_pictures(12, [](const ResidentTracer& tracer, FrameRequest request, Chance&) {
     for (const bool all_rays : {false, true}) {
       request.window = {};
       const Channels whole = all_of(tracer, request, all_rays);
@@ -172,7 +172,7 @@ TEST(Channels, OfAWindowAreAPartOfThePictures) {
 // Turn by turn: a lane is busy while its ray has cells left.
 TEST(Channels, IdleLanesAreThoseOfWarpsThatGoRoundInLockStep) {
   std::size_t partly = 0;
-  for_random_pictures(20, [&](const Tracer& tracer, const FrameRequest& request, Chance&) {
+  for_random_pictures(20, [&](const ResidentTracer& tracer, const FrameRequest& request, Chance&) {
     for (const bool all_rays : {false, true}) {
       const Channels channels = all_of(tracer, request, all_rays);
       std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> warps; // rays of each
@@ -204,7 +204,7 @@ TEST(Channels, IdleLanesAreThoseOfWarpsThatGoRoundInLockStep) {
 }
 
 TEST(Channels, CostsOfAPictureChangeNothingElse) {
-  for_random_pictures(8, [](const Tracer& tracer, FrameRequest request, Chance&) {
+  for_random_pictures(8, [](const ResidentTracer& tracer, FrameRequest request, Chance&) {
     request.tracing.count = false;
     const Frame plain = tracer.render(request);
     request.costs = true;
@@ -217,7 +217,7 @@ TEST(Channels, CostsOfAPictureChangeNothingElse) {
 }
 
 TEST(Channels, ThoseThatWereNotRequestedAreEmpty) {
-  for_random_pictures(4, [](const Tracer& tracer, const FrameRequest& request, Chance&) {
+  for_random_pictures(4, [](const ResidentTracer& tracer, const FrameRequest& request, Chance&) {
     for (const Channel channel : all_channels) {
       const Channels one = trace_channels(tracer, {{channel}, request});
       const std::size_t sizes[] = {one.depth.size(),     one.normal.size(), one.object.size(),
@@ -289,7 +289,7 @@ void expect_consistent(const WalkReport& report) {
 }
 
 TEST(Walk, OfACameraRayHasTheChannelsHitAndCounts) {
-  for_random_pictures(40, [](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
+  for_random_pictures(40, [](const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
     const Channels channels = all_of(tracer, request);
     for (int k = 0; k < 6; ++k) {
       const auto column = static_cast<std::int32_t>(chance.uniform(0, channels.columns)),
@@ -310,7 +310,7 @@ TEST(Walk, OfACameraRayHasTheChannelsHitAndCounts) {
 
 TEST(Walk, OfAllRaysHasThePixelsColorAndCounts) {
   std::size_t kinds[4] = {};
-  for_random_pictures(40, [&](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
+  for_random_pictures(40, [&](const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
     const Channels channels = all_of(tracer, request, true);
     const Frame frame = tracer.render(request);
     for (int k = 0; k < 6; ++k) {
@@ -339,7 +339,7 @@ TEST(Walk, OfAllRaysHasThePixelsColorAndCounts) {
 }
 
 TEST(Walk, OfAGivenRayHasTheHitOfAList) {
-  for_random_pictures(20, [](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
+  for_random_pictures(20, [](const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
     for (int k = 0; k < 10; ++k) {
       Ray<double> ray = unbounded_ray(chance.direction() * chance.uniform(0, 5),
                                       chance.direction() * std::exp2(chance.uniform(-30, 30)));
@@ -375,7 +375,7 @@ std::size_t recorded_bytes(const WalkReport& report) {
 }
 
 // A walk of all rays of a random pixel.
-WalkRequest random_walk(const Tracer& tracer, const FrameRequest& request, Chance& chance) {
+WalkRequest random_walk(const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
   const RayWindow all = all_rays(request.camera, request.sampling);
   const auto column = static_cast<std::int32_t>(chance.uniform(0, all.columns)),
              row = static_cast<std::int32_t>(chance.uniform(0, all.rows));
@@ -386,7 +386,7 @@ WalkRequest random_walk(const Tracer& tracer, const FrameRequest& request, Chanc
 
 TEST(Walk, BeyondItsLimitsIsCountedAndNotRecorded) {
   std::size_t more = 0, cut = 0, ended = 0;
-  for_random_pictures(40, [&](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
+  for_random_pictures(40, [&](const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
     WalkRequest walk = random_walk(tracer, request, chance);
     const WalkReport all = trace_walk(tracer, walk);
     EXPECT_EQ(all.more_rays, 0U);
@@ -452,7 +452,7 @@ TEST(Walk, EndsWhereItsProgressThrows) {
 }
 
 TEST(Walk, OfAllRaysStartsFromARayAsItReportsIt) {
-  for_random_pictures(20, [](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
+  for_random_pictures(20, [](const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
     WalkRequest walk = random_walk(tracer, request, chance);
     const WalkReport first = trace_walk(tracer, walk);
     for (const double length : {1.0, std::exp2(chance.uniform(-30, 30))}) {
@@ -469,7 +469,7 @@ TEST(Walk, OfAllRaysStartsFromARayAsItReportsIt) {
 }
 
 TEST(Walk, RefusesRaysThatAreNotThere) {
-  for_random_pictures(1, [](const Tracer& tracer, const FrameRequest& request, Chance&) {
+  for_random_pictures(1, [](const ResidentTracer& tracer, const FrameRequest& request, Chance&) {
     const RayWindow all = all_rays(request.camera, request.sampling);
     EXPECT_THROW(camera_walk(tracer, request, all.columns, 0), Error);
     EXPECT_THROW(camera_walk(tracer, request, 0, all.rows), Error);

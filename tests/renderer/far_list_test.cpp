@@ -44,7 +44,7 @@ struct Found {
   std::vector<double> t64;
   std::vector<std::uint32_t> primitive;
 };
-Found found(const Tracer& tracer, const std::vector<Ray<double>>& rays, const RaysRequest& request,
+Found found(const ResidentTracer& tracer, const std::vector<Ray<double>>& rays, const RaysRequest& request,
             bool with_t64) {
   Found found;
   found.t.resize(rays.size());
@@ -71,7 +71,7 @@ TEST_F(FarList, HasTheHitsOfDoubleFromAnyDistance) {
         {chance_.one_of({StructureKind::uniform, StructureKind::hierarchy, StructureKind::irregular})});
     SCOPED_TRACE(testing::Message() << distance << " from " << at.x << ' ' << at.y << ' ' << at.z);
     const std::vector<Ray<double>> rays = rays_at(chance_, scene, at, distance, 400);
-    const Tracer tracer = built.tracer(), brute = built.tracer(Device::cpu, false);
+    const ResidentTracer tracer = built.tracer(), brute = built.tracer(Device::cpu, false);
     RaysRequest request;
     const Found nearest = found(tracer, rays, request, false), with_t64 = found(tracer, rays, request, true);
     EXPECT_TRUE(same_values(nearest.t, with_t64.t));

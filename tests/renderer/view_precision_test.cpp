@@ -52,12 +52,12 @@ TEST_F(ViewPrecisions, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
     const double reach = std::tan(15 * std::numbers::pi / 180), pixel = 2 * reach / 100 * distance;
     const double bound = rounding_margin<float>(rendering.scene().bounds()) / 4 +
                          0x1p-24 * (5 + 6 * std::sqrt(2.0) * reach) * distance;
-    const Tracer tracer = rendering.tracer();
+    const ResidentTracer tracer = rendering.tracer();
     FrameRequest request = rendering.request();
     const ViewPrecision chosen = view_precision(tracer, request);
     if (std::abs(16 * bound / pixel - 1) < 1e-3) continue;
     EXPECT_EQ(chosen.precision, 16 * bound > pixel ? Precision::doubled : Precision::robust) << distance;
-    EXPECT_EQ(view_precision(Tracer(rendering.scene(), nullptr, Device::cpu), request).precision,
+    EXPECT_EQ(view_precision(ResidentTracer(rendering.scene(), nullptr, Device::cpu), request).precision,
               chosen.precision);
     // The picture is the chosen one's, bit for bit, in parts as well.
     request.window = {10, 20, 30, 12};
@@ -140,7 +140,7 @@ TEST_F(ViewPrecisions, SaysWhy) {
 
 TEST_F(ViewPrecisions, IsDoubleForAStoreOfDoublesAndRobustForNothing) {
   const Rendering stored(from_nearby(chance_, {0, 0, 0}, 4e-4, 128), Store::float64);
-  const Tracer tracer = stored.tracer();
+  const ResidentTracer tracer = stored.tracer();
   EXPECT_EQ(view_precision(tracer, stored.request()).precision, Precision::doubled);
   EXPECT_TRUE(view_precision(tracer, stored.request()).is_stored);
   const Rendering nothing(empty_scene({0, 0, 1e-20}, {0, 0, 0}), Store::automatic);

@@ -152,7 +152,7 @@ TEST_F(FacesWithoutArea, AreNeverHit) {
       const Rendering rendering(scene_of(meshes), store, "8", StructureOptions{kind});
       for (const StructureFile* const grid :
            {&rendering.grid(), static_cast<const StructureFile*>(nullptr)}) {
-        const Tracer tracer(rendering.scene(), grid, Device::cpu);
+        const ResidentTracer tracer(rendering.scene(), grid, Device::cpu);
         for (const Precision precision : {Precision::fast, Precision::robust, Precision::doubled}) {
           if (store == Store::float64 && precision != Precision::doubled) continue;
           RaysRequest request;
@@ -254,7 +254,7 @@ TEST_F(Fillers, LetNoRayOut) {
       const Rendering rendering(scene_of(meshes), store, "8", StructureOptions{kind});
       ASSERT_EQ(rendering.scene().primitive_count(), faces);
       for (const bool with_grid : {true, false}) {
-        const Tracer tracer = rendering.tracer(Device::cpu, with_grid);
+        const ResidentTracer tracer = rendering.tracer(Device::cpu, with_grid);
         for (const Precision precision : {Precision::robust, Precision::doubled}) {
           if (store == Store::float64 && precision != Precision::doubled) continue;
           RaysRequest request;
@@ -308,7 +308,7 @@ TEST_F(FaceNumbers, NameHits) {
       Scene scene = scene_with_faces(chance_);
       if (!has_faces) scene.faces.clear();
       const Rendering rendering(scene, Store::float32);
-      const Tracer tracer = rendering.tracer();
+      const ResidentTracer tracer = rendering.tracer();
       std::vector<Ray<double>> rays;
       for (int i = 0; i < 1003; ++i)
         rays.push_back({chance_.in_cube(2), 0, chance_.direction(), INFINITY});

@@ -4,7 +4,7 @@
 #include "libgrid/file/structure_file.h"
 #include "libscene/file/input_stream.h"
 #include "libscene/file/scene_file.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
@@ -142,7 +142,7 @@ TEST_F(InputFiles, ScenesAndGridsInUseDontFollowTheirFiles) {
                     file("grid"));
     const SceneFile scene(file("scene"));
     const StructureFile opened(file("grid"));
-    const Tracer tracer(scene, &opened, Device::cpu);
+    const ResidentTracer tracer(scene, &opened, Device::cpu);
     FrameRequest request;
     request.camera = tiny.camera;
     const Frame before = tracer.render(request);

@@ -185,7 +185,7 @@ TEST_F(LocalOrigin, RaysOfFloatsKeepTheirDigitsRelativeToIt) {
   EXPECT_FALSE(rendering.scene().is_float64());
   const Vec3d origin = rendering.scene().origin();
   EXPECT_LE(largest_magnitude(origin - at), 4);
-  const Tracer tracer = rendering.tracer();
+  const ResidentTracer tracer = rendering.tracer();
   const Vec3d from = at + Vec3d{0.125, 0.0625, 10};
   const std::vector<Ray<double>> world{unbounded_ray(from, Vec3d{0, 0, -1})};
   const std::vector<Ray<float>> local{unbounded_ray(cast<float>(from - origin), Vec3f{0, 0, -1})};

@@ -13,7 +13,8 @@ template <class Stored, class Act>
 void for_each_hit(const SceneFile& file, const StructureFile& grid, std::span<const Ray<double>> rays,
                   const Act& act) {
   const SceneView<Stored> scene = file.view<Stored>();
-  const RayHits hits = Tracer(file, &grid, Device::cpu).hits(relative(RayList(rays)), {}, HitName::primitive);
+  const RayHits hits =
+      ResidentTracer(file, &grid, Device::cpu).hits(relative(RayList(rays)), {}, HitName::primitive);
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
     const HitRecord& hit = hits.hits[i];
     if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});

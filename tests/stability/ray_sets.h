@@ -2,7 +2,7 @@
 // the scene's store holds, so that every precision traces the same rays.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <vector>
 

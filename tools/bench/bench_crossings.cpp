@@ -27,7 +27,8 @@ struct Crossings {
 constexpr std::uint64_t rays_per_batch = std::uint64_t{1} << 20, rays_per_task = 1 << 12;
 
 template <class Stored>
-Crossings count_crossings(const Settings& settings, const Tracer& tracer, const SceneView<Stored>& scene) {
+Crossings count_crossings(const Settings& settings, const ResidentTracer& tracer,
+                          const SceneView<Stored>& scene) {
   const std::span<const Triangle<Stored>> triangles(scene.triangles, scene.triangle_count);
   if (triangles.empty() || scene.cone_count > 0 || !is_closed(triangles))
     throw Error(ErrorCode::input, settings.scene,
@@ -72,7 +73,7 @@ void bench_crossings(const Settings& settings, Output& output) {
   const bool cuda = output.on_cuda(settings.backend);
   const SceneFile scene(settings.scene);
   const StructureFile grid(settings.grid);
-  const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
+  const ResidentTracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
   const Crossings all = scene.is_float64() ? count_crossings(settings, tracer, scene.view<double>())
                                            : count_crossings(settings, tracer, scene.view<float>());
   output.json.push_back(

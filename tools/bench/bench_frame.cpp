@@ -33,10 +33,10 @@ struct Settings {
   int workers_each = 0, warm_up = 5, repeat = 25;
 };
 
-Json measure(const Settings& settings, const Tracer& tracer, const std::string& name,
+Json measure(const Settings& settings, const ResidentTracer& tracer, const std::string& name,
              std::optional<ScreenDivision> division, HostArray<Vec3f>& picture) {
   const SceneFile& scene = tracer.scene();
-  const StructureFile& grid = *tracer.grid();
+  const StructureFile& grid = *tracer.structure();
   const bool cuda = tracer.device() == Device::cuda;
   FrameRequest request;
   request.tracing = settings.tracing;
@@ -93,7 +93,7 @@ void bench_frame(const Settings& settings, Output& output) {
   HostArray<Vec3f> picture;
   for (const std::string& path : settings.grids) {
     const StructureFile grid(path);
-    const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
+    const ResidentTracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     for (const auto& [name, division] : all_schedules) {
       if (std::find(names.begin(), names.end(), name) == names.end()) continue;
       if (grid.is_hierarchy() && division) {

@@ -20,7 +20,7 @@ struct Settings {
   int repeat = 5;
 };
 
-Json measure(const Settings& settings, const Tracer& tracer, bool page_locked) {
+Json measure(const Settings& settings, const ResidentTracer& tracer, bool page_locked) {
   const std::size_t count = settings.count;
   const HostList list(tracer.scene(), count, settings.seed, page_locked);
   std::vector<double> seconds, copies;
@@ -48,7 +48,7 @@ void bench_lists(const Settings& settings, Output& output) {
   static_cast<void>(output.on_cuda(Backend::cuda));
   const SceneFile scene(settings.scene);
   const StructureFile grid(settings.grid);
-  const Tracer tracer(scene, &grid, Device::cuda);
+  const ResidentTracer tracer(scene, &grid, Device::cuda);
   output.print("{} random rays, median of {}\n\n{:<12} {:>9} {:>9} {:>9} {:>12} {:>12}\n", settings.count,
                settings.repeat, "memory", "s", "Mray/s", "kernel s", "plain copy s", "copy / list");
   for (const bool page_locked : {true, false}) {

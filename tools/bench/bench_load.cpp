@@ -31,7 +31,7 @@ std::uint64_t load(const Settings& settings, bool cuda, Runs& runs) {
   const StructureFile grid(settings.grid, residence);
   runs.map.push_back(scene.load_seconds().map + grid.load_seconds().map);
   runs.validate.push_back(scene.load_seconds().validate + grid.load_seconds().validate);
-  const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
+  const ResidentTracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
   runs.upload.push_back(cuda ? tracer.upload_seconds() : 0); // the CPU traces what is mapped
   runs.load.push_back(runs.map.back() + runs.validate.back() + runs.upload.back());
   return scene.bytes() + grid.bytes();

@@ -48,7 +48,7 @@ std::set<std::string> loop_names() {
 }
 
 // The loop's name, with `auto` resolved.
-std::string loop_for(const std::string& wanted, const RaySet& set, const Tracer& tracer) {
+std::string loop_for(const std::string& wanted, const RaySet& set, const ResidentTracer& tracer) {
   if (wanted != "auto") return wanted;
   const RayLoop usual = automatic_loop(tracer, set.rays, set.query, Precision::automatic);
   return std::find_if(all_loops.begin(), all_loops.end(),
@@ -80,9 +80,9 @@ void save(const RaySet& set, const std::string& prefix) {
   file.commit();
 }
 
-Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, const std::string& precision,
-             const std::string& loop) {
-  const StructureFile& grid = *tracer.grid();
+Json measure(const Settings& settings, const ResidentTracer& tracer, const RaySet& set,
+             const std::string& precision, const std::string& loop) {
+  const StructureFile& grid = *tracer.structure();
   const bool cuda = tracer.device() == Device::cuda;
   RaysRequest request{settings.tracing, set.query, all_loops.at(loop)};
   request.tracing.precision = resolved(all_precisions.at(precision), tracer.scene());
@@ -142,7 +142,7 @@ void bench_rays(const Settings& settings, Output& output) {
       settings.order == RayOrder::tiles ? "tile" : "row", "rays", "prec.", "loop", "count", "Mray/s", "hit %",
       "tests", "cells", "empty");
   for (const StructureFile& grid : grids) {
-    const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
+    const ResidentTracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     output.print("{}\n", printable(grid.path()));
     for (const RaySet& set : sets) {
       for (const std::string& precision : settings.precisions) {

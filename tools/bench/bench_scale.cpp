@@ -100,7 +100,7 @@ Run median_run(int repeat, const Measure& measure) {
 
 // Seconds in which all threads encode as many bands as the views have: one from the middle of them, again and
 // again.
-double encoded(const Tracer& tracer, const ViewsRequest& request) {
+double encoded(const ResidentTracer& tracer, const ViewsRequest& request) {
   FrameRequest middle = request.frame;
   middle.camera = request.views[request.views.size() / 2].camera;
   const PictureBands bands(window_of(middle), middle.sampling, ImageFormat::png);
@@ -117,7 +117,7 @@ double encoded(const Tracer& tracer, const ViewsRequest& request) {
 }
 
 // Views, written as PNG.
-Run rendered(const Settings& settings, const Tracer& tracer, const Camera& camera, int views) {
+Run rendered(const Settings& settings, const ResidentTracer& tracer, const Camera& camera, int views) {
   return median_run(settings.repeat, [&] {
     int argc = 0;
     char** argv = nullptr;
@@ -149,8 +149,8 @@ double copied(const HostList& list, const Workers& workers, std::size_t count) {
 }
 
 // The first rays of a list.
-Run traced(const Settings& settings, const Tracer& tracer, const HostList& list, const Workers& workers,
-           std::size_t count) {
+Run traced(const Settings& settings, const ResidentTracer& tracer, const HostList& list,
+           const Workers& workers, std::size_t count) {
   return median_run(settings.repeat, [&] {
     Run run;
     run.rays = static_cast<double>(count);
@@ -257,7 +257,7 @@ void bench_scale(const Settings& settings, Output& output) {
     // On the CPU a worker is a thread.
     ThreadLimit fewer;
     if (!cuda) fewer = limit_threads(workers.count);
-    const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu, workers.gpus);
+    const ResidentTracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu, workers.gpus);
     if (settings.views > 0)
       add("views", workers, [&](double share) {
         return rendered(settings, tracer, view, std::max(1, rounded(settings.views * share)));

@@ -79,7 +79,7 @@ std::map<std::string, std::vector<Ray<float>>> ray_sets(const Settings& settings
 }
 
 Contestant masu_with(const SceneFile& scene, const StructureFile& grid) {
-  const auto tracer = std::make_shared<Tracer>(scene, &grid, Device::cpu);
+  const auto tracer = std::make_shared<ResidentTracer>(scene, &grid, Device::cpu);
   return {grid.path(), false, [tracer](std::span<const Ray<float>> rays, Hits& hits) {
             RayResults results;
             results.t = hits.t.data();

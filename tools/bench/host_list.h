@@ -1,7 +1,7 @@
 // A long list of random rays in host memory with room for t and primitive, and plain copies of its bytes.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/precision.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tools/common/cli.h"
 
 #include <map>

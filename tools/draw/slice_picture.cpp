@@ -194,7 +194,7 @@ struct Chart {
   DrawingBox bar{};
   double bar_name = 0; // x of its baseline
   std::vector<ColorBarLabel> bar_labels{};
-  std::span<const SectionSegment> outline;
+  std::span<const CutSegment> outline;
 };
 
 constexpr double tick_length = 0.3; // in em
@@ -321,7 +321,7 @@ void draw_outline(cairo_t* cairo, const Chart& chart) {
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
   Point end{-1, -1};
-  for (const SectionSegment& segment : chart.outline) {
+  for (const CutSegment& segment : chart.outline) {
     Point from = chart.plot.point(segment.from), to = chart.plot.point(segment.to);
     if (!cut_to(near, from, to)) continue;
     if (from.x != end.x || from.y != end.y) cairo_move_to(cairo, from.x, from.y); // else a polygon goes on
@@ -387,7 +387,7 @@ std::string subtitle_of(const StructureFile& file, const SliceWindow& window, bo
 } // namespace
 
 void write_slice(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
-                 std::span<const SectionSegment> outline, const SliceStyle& style, const std::string& path) {
+                 std::span<const CutSegment> outline, const SliceStyle& style, const std::string& path) {
   const bool is_svg = path.ends_with(".svg");
   if (path.ends_with(".json")) {
     auto json = slice_json(file, plane, window, outline);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/statistics/slice.h"
-#include "libscene/section.h"
+#include "libscene/plane_cut.h"
 
 #include <cstdint>
 #include <span>
@@ -29,6 +29,6 @@ inline constexpr std::int32_t least_slice_size = 64, most_slice_size = 4096;
 // of more than 2^18 or a JSON of more than 2^22 cells and for volumes of a
 // hierarchy, Error(output).
 void write_slice(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
-                 std::span<const SectionSegment> outline, const SliceStyle& style, const std::string& path);
+                 std::span<const CutSegment> outline, const SliceStyle& style, const std::string& path);
 
 } // namespace masu

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/base/on_threads.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tools/common/cli.h"
 
 #include <tbb/concurrent_queue.h>
@@ -18,7 +18,7 @@ namespace masu {
 
 // How many tasks are under way at most, of so many bytes each: enough for devices and encoding threads, as
 // far as memory allows.
-inline std::size_t tasks_under_way(const Tracer& tracer, std::size_t bytes_per_task) {
+inline std::size_t tasks_under_way(const ResidentTracer& tracer, std::size_t bytes_per_task) {
   constexpr std::size_t all_bytes = std::size_t{4} << 30;
   const std::size_t devices = tracer.device() == Device::cuda ? queries_per_gpu * tracer.device_count() : 1;
   return std::clamp<std::size_t>(all_bytes / std::max<std::size_t>(bytes_per_task, 1), 2,
@@ -30,7 +30,7 @@ inline std::size_t tasks_under_way(const Tracer& tracer, std::size_t bytes_per_t
 // same time. The CPU's threads share each task, and trace() is called by one at a time; GPUs have several
 // tasks each. When either throws, what is under way ends, and no more is begun.
 template <class Trace, class Write>
-void run_tasks(const Tracer& tracer, std::size_t under_way, const Trace& trace, const Write& write) {
+void run_tasks(const ResidentTracer& tracer, std::size_t under_way, const Trace& trace, const Write& write) {
   using Traced = decltype(trace(std::size_t{0}));
   if (tracer.device() == Device::cpu) {
     // TBB mustn't see what is thrown: it would end every loop under way within the pipeline early, and a

@@ -4,7 +4,7 @@
 
 #include "libgrid/file/structure_file.h"
 #include "libscene/file/mapping_faults.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tools/jobs/device_choice.h"
 #include "tools/jobs/ranks.h"
 #include "tools/jobs/task_list.h"
@@ -44,11 +44,11 @@ void add_hit_name(const CommandLine& command, HitName& name, const std::string& 
 // The scene and the grid, and what traces rays through them.
 class OpenedScene {
 public:
-  // gpus: none for the CPU. Throws as SceneFile, StructureFile and Tracer do.
+  // gpus: none for the CPU. Throws as SceneFile, StructureFile and ResidentTracer do.
   OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& gpus);
 
   const SceneFile& scene() const { return scene_; }
-  const Tracer& tracer() const { return tracer_; }
+  const ResidentTracer& tracer() const { return tracer_; }
   const std::vector<int>& gpus() const { return gpus_; }
   nlohmann::ordered_json hashes() const; // {scene_hash, grid_hash}: null without a grid
   double map_seconds() const { return sum_of(&LoadSeconds::map); }
@@ -63,7 +63,7 @@ private:
   const std::vector<int> gpus_;
   const SceneFile scene_;
   const std::unique_ptr<const StructureFile> grid_; // none with --brute-force
-  const Tracer tracer_;
+  const ResidentTracer tracer_;
 };
 
 // What all files of a run depend on, by which --resume knows them; `options`: the tool's own.

@@ -173,7 +173,7 @@ TaskListOf task_list_of(const RayListJob& job, RayFile& file, const HitFormat& f
 // Tracing and writing of chunks, in any order and at the same time.
 class ListTracer {
 public:
-  ListTracer(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+  ListTracer(const ResidentTracer& tracer, const RayListJob& job, const Sharing& sharing,
              const std::function<void(double)>& progress)
       : tracer_(tracer), job_(job), sharing_(sharing), progress_(progress),
         in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
@@ -259,7 +259,7 @@ private:
   // Found out by the first chunk that is traced.
   RayLoop loop_for(const RayList& rays) {
     std::call_once(loop_found_, [&] {
-      if (tracer_.device() == Device::cuda && tracer_.grid() != nullptr)
+      if (tracer_.device() == Device::cuda && tracer_.structure() != nullptr)
         loop_ = automatic_loop(tracer_, rays, job_.request.query, job_.request.tracing.precision);
     });
     return loop_;
@@ -290,7 +290,7 @@ private:
     ranks.wait_for_all();
   }
 
-  const Tracer& tracer_;
+  const ResidentTracer& tracer_;
   const RayListJob& job_;
   const Sharing& sharing_;
   const std::function<void(double)>& progress_;
@@ -310,7 +310,7 @@ private:
 
 } // namespace
 
-TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, const Sharing& sharing,
                              const std::function<void(double)>& progress) {
   const Stopwatch elapsed;
   ListTracer tracing(tracer, job, sharing, progress);

@@ -1,7 +1,7 @@
 // Lists of rays from files and pipes: read, traced and written at the same time, however long they are.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tools/lists/hit_file.h"
 #include "tools/lists/ray_file.h"
 #include "tools/report/tracing_report.h"
@@ -25,8 +25,8 @@ struct RayListJob {
 
 // Collective (tools/jobs/ranks.h). `progress` gets the share of the list whose hits are written, where it is
 // a file. Throws what RayFile throws, Error(usage) where ranks share a list that isn't a file, Error(output),
-// and what Tracer::trace() throws.
-TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+// and what ResidentTracer::trace() throws.
+TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, const Sharing& sharing,
                              const std::function<void(double)>& progress);
 
 } // namespace masu

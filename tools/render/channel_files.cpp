@@ -135,7 +135,7 @@ ChannelFiles channel_files(const std::string& picture, Channel channel, ChannelF
   return {base + (format == ChannelFormat::npy ? ".npy" : ".pfm"), base + ".png"};
 }
 
-TracingReport write_channels(const Tracer& tracer, const ChannelsJob& job,
+TracingReport write_channels(const ResidentTracer& tracer, const ChannelsJob& job,
                              const std::function<void(double)>& progress) {
   const Stopwatch watch;
   TracingReport report;

@@ -37,7 +37,7 @@ struct ChannelsJob {
 // columns), of normals (rows, columns, 3), float32 for depth, normals and idle, int32 for objects and
 // primitives, uint32 for cells and tests. `progress` gets the finished share. The report has the camera rays'
 // number and the seconds of tracing and writing together. Throws as trace_channels() does, and Error(output).
-TracingReport write_channels(const Tracer& tracer, const ChannelsJob& job,
+TracingReport write_channels(const ResidentTracer& tracer, const ChannelsJob& job,
                              const std::function<void(double)>& progress);
 
 } // namespace masu

@@ -1,7 +1,7 @@
 // Options of camera rays: where the camera is, how pixels are sampled, which rays are spawned.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tools/common/cli.h"
 
 #include <optional>

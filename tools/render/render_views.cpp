@@ -132,7 +132,7 @@ struct RenderedTask {
 // Tracing and writing of tasks, in any order and at the same time.
 class ViewsRenderer {
 public:
-  ViewsRenderer(const Tracer& tracer, const ViewsRequest& request, const Layout& layout,
+  ViewsRenderer(const ResidentTracer& tracer, const ViewsRequest& request, const Layout& layout,
                 const Sharing& sharing, const std::function<void(double)>& progress)
       : tracer_(tracer), request_(request), layout_(layout), sharing_(sharing), progress_(progress),
         tasks_(sharing, task_list_of(request, layout, sharing)), outputs_(request.views.size()),
@@ -280,7 +280,7 @@ private:
     output.files.clear();
   }
 
-  const Tracer& tracer_;
+  const ResidentTracer& tracer_;
   const ViewsRequest& request_;
   const Layout& layout_;
   const Sharing& sharing_;
@@ -300,7 +300,7 @@ private:
 
 } // namespace
 
-TracingReport render_views(const Tracer& tracer, const ViewsRequest& request, const Sharing& sharing,
+TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& request, const Sharing& sharing,
                            const std::function<void(double)>& progress) {
   const Stopwatch watch;
   const Layout layout(request);

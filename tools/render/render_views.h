@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/image/image.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tools/lists/hit_file.h"
 #include "tools/render/views.h"
 #include "tools/report/tracing_report.h"
@@ -32,7 +32,7 @@ struct ViewsRequest {
 // Collective (tools/jobs/ranks.h). Files are the same bytes for any number of ranks, devices and threads.
 // `progress` gets the finished share, from any thread. When it throws (Error of the tracer and of output
 // files), files of some views have been written, each whole.
-TracingReport render_views(const Tracer& tracer, const ViewsRequest& request, const Sharing& sharing,
+TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& request, const Sharing& sharing,
                            const std::function<void(double)>& progress);
 
 } // namespace masu

@@ -11,12 +11,12 @@
 
 namespace masu {
 
-std::vector<SectionSegment> outline_of(const SceneFile& scene, const SlicePlane& plane,
-                                       const SliceWindow& window, double deviation) {
+std::vector<CutSegment> outline_of(const SceneFile& scene, const SlicePlane& plane, const SliceWindow& window,
+                                   double deviation) {
   const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
-  const SectionOptions cut{plane.axis, plane.position,     window.min,
-                           window.max, deviation * longer, scene.origin()};
-  return scene.is_float64() ? section_of(scene.view<double>(), cut) : section_of(scene.view<float>(), cut);
+  const PlaneCut cut{plane.axis, plane.position, window.min, window.max, deviation * longer, scene.origin()};
+  return scene.is_float64() ? plane_cut_of(scene.view<double>(), cut)
+                            : plane_cut_of(scene.view<float>(), cut);
 }
 
 SliceCellsJson slice_cells_json(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
@@ -37,7 +37,7 @@ SliceCellsJson slice_cells_json(const StructureFile& file, const SlicePlane& pla
 }
 
 nlohmann::ordered_json slice_json(const StructureFile& file, const SlicePlane& plane,
-                                  const SliceWindow& window, std::span<const SectionSegment> outline,
+                                  const SliceWindow& window, std::span<const CutSegment> outline,
                                   std::size_t most) {
   const GridLayout finest = finest_layout(file);
   const std::array<int, 2> axes = slice_axes(plane.axis);
@@ -47,7 +47,7 @@ nlohmann::ordered_json slice_json(const StructureFile& file, const SlicePlane& p
     throw Error(ErrorCode::usage, "--slice",
                 fmt::format("has more than {} cells: give a smaller window", most));
   auto segments = nlohmann::ordered_json::array();
-  for (const SectionSegment& segment : outline)
+  for (const CutSegment& segment : outline)
     segments.push_back({segment.from[0], segment.from[1], segment.to[0], segment.to[1], segment.primitive});
   return {{"structure", file.is_hierarchy() ? "bvh" : "grid"},
           {"axis", std::string(1, "xyz"[plane.axis])},

@@ -3,7 +3,7 @@
 
 #include "libgrid/statistics/slice.h"
 #include "libscene/file/scene_file.h"
-#include "libscene/section.h"
+#include "libscene/plane_cut.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +14,8 @@ namespace masu {
 
 // Where the plane cuts the scene's surfaces, within the window, with lines for curves that are off by no more
 // than that share of the window's longer side.
-std::vector<SectionSegment> outline_of(const SceneFile& scene, const SlicePlane& plane,
-                                       const SliceWindow& window, double deviation);
+std::vector<CutSegment> outline_of(const SceneFile& scene, const SlicePlane& plane, const SliceWindow& window,
+                                   double deviation);
 
 // [[first u, first v, end u, end v, references, depth, voxels, number] as SliceCell has them, …]: the first
 // `most` cells, all or those that list something.
@@ -31,7 +31,7 @@ SliceCellsJson slice_cells_json(const StructureFile& file, const SlicePlane& pla
 // in the smallest voxels, else scene units. The space of a hierarchy is one voxel. Throws Error(usage,
 // "--slice") for more than `most` cells.
 nlohmann::ordered_json slice_json(const StructureFile& file, const SlicePlane& plane,
-                                  const SliceWindow& window, std::span<const SectionSegment> outline,
+                                  const SliceWindow& window, std::span<const CutSegment> outline,
                                   std::size_t most = std::size_t{1} << 22);
 
 } // namespace masu

@@ -3,7 +3,7 @@
 #include "libgrid/statistics/slice.h"
 #include "libscene/base/error.h"
 #include "libscene/base/stopwatch.h"
-#include "libscene/section.h"
+#include "libscene/plane_cut.h"
 #include "renderer/image/deflate.h"
 #include "renderer/image/image.h"
 #include "renderer/rays/walk_report.h"
@@ -61,7 +61,7 @@ struct PictureRows {
   std::vector<float> values{};
 };
 
-PictureRows shaded(const Tracer& tracer, FrameRequest request, Picture& picture) {
+PictureRows shaded(const ResidentTracer& tracer, FrameRequest request, Picture& picture) {
   request.rgb = true;
   const Frame frame = tracer.render(request);
   picture.rays = static_cast<std::uint64_t>(frame.columns) * static_cast<std::uint64_t>(frame.rows);
@@ -74,7 +74,7 @@ PictureRows shaded(const Tracer& tracer, FrameRequest request, Picture& picture)
   return rows;
 }
 
-PictureRows channel(const Tracer& tracer, const PictureRequest& request, const FrameRequest& frame,
+PictureRows channel(const ResidentTracer& tracer, const PictureRequest& request, const FrameRequest& frame,
                     Picture& picture) {
   const Channel wanted = *request.channel.channel;
   const Stopwatch trace;
@@ -97,7 +97,8 @@ SlicePlane plane_of(const StructureFile& file, const SharePlane& plane) {
 }
 
 // What camera rays meet from the plane on; nothing where they don't meet it.
-PictureRows cut(const Tracer& tracer, const SlicePlane& plane, const FrameRequest& frame, Picture& picture) {
+PictureRows cut(const ResidentTracer& tracer, const SlicePlane& plane, const FrameRequest& frame,
+                Picture& picture) {
   const RayWindow window = window_of(frame);
   const CameraRays<double> lattice = camera_rays<double>(frame.camera, frame.sampling, false, window);
   picture.rays = static_cast<std::uint64_t>(window.columns) * static_cast<std::uint64_t>(window.rows);
@@ -170,7 +171,7 @@ FrameRequest Viewer::frame_request(const PictureRequest& request) const {
 Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) const {
   FrameRequest frame_request = this->frame_request(request);
   frame_request.progress = abandoned_when(is_gone);
-  const Tracer& tracer = grid(request.grid).tracer;
+  const ResidentTracer& tracer = grid(request.grid).tracer;
   Picture picture;
   const Stopwatch wait;
   // What was traced takes more memory than its bytes: it ends with its turn.
@@ -260,7 +261,7 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
     json["truncated"] = made.is_truncated;
     json["without_empty"] = without_empty;
     Json& lines = json["outline"] = Json::array();
-    for (const SectionSegment& line : outline_of(scene_, plane, window, 2e-4))
+    for (const CutSegment& line : outline_of(scene_, plane, window, 2e-4))
       if (lines.size() < most_lines) lines.push_back({line.from[0], line.from[1], line.to[0], line.to[1]});
     return json;
   });

@@ -6,7 +6,7 @@
 #include "libgrid/statistics/boxes.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/image/jpeg_file.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tools/render/views.h"
 #include "tools/view/channel_colors.h"
 #include "tools/view/turns.h"
@@ -24,7 +24,7 @@ namespace masu {
 // Lives where it was made: tracers refer to the files.
 struct ViewedGrid {
   StructureFile file; // a grid or a hierarchy
-  Tracer tracer;
+  ResidentTracer tracer;
   std::int32_t greatest_depth;         // of its cells or boxes
   nlohmann::ordered_json statistics{}; // null: not made yet
 
@@ -103,7 +103,7 @@ using IsGone = std::function<bool()>;
 // Threads may ask at the same time.
 class Viewer {
 public:
-  // Throws as SceneFile, StructureFile and Tracer do.
+  // Throws as SceneFile, StructureFile and ResidentTracer do.
   explicit Viewer(const ViewerSettings& settings);
 
   const SceneFile& scene() const { return scene_; }

@@ -43,8 +43,8 @@ StructureFile built(const SceneFile& scene, const StructureWanted& wanted) {
 std::uint64_t differing(const SceneFile& scene, const StructureFile& grid, std::span<const Ray<double>> rays,
                         Precision precision) {
   RaysRequest request{{precision}};
-  const RayHits cpu = Tracer(scene, &grid, Device::cpu).hits(rays, request, HitName::primitive);
-  const Tracer on_gpu(scene, &grid, Device::cuda);
+  const RayHits cpu = ResidentTracer(scene, &grid, Device::cpu).hits(rays, request, HitName::primitive);
+  const ResidentTracer on_gpu(scene, &grid, Device::cuda);
   std::uint64_t different = 0;
   for (const RayLoop loop : {RayLoop::thread_per_ray, RayLoop::warp, RayLoop::warp_refill}) {
     request.loop = loop;

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "libscene/scene_view.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/stability/oracle/oracle.h"
 
 #include <span>

@@ -73,7 +73,7 @@ public:
     request.tracing.precision = precision;
     request.camera = file_.camera();
     request.rules.depth = 12;
-    return Tracer(file_, &grid_, Device::cpu).render(request);
+    return ResidentTracer(file_, &grid_, Device::cpu).render(request);
   }
 
 private:

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/structure/builder.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/stability/test_scene.h"
 
 #include <iosfwd>

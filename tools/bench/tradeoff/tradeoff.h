@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libgrid/structure/chosen_structure.h"
-#include "renderer/tracer.h"
+#include "renderer/tracer/tracer.h"
 
 #include <string>
 #include <vector>

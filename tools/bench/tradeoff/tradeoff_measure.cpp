@@ -23,11 +23,11 @@ auto traced(std::uint64_t repeat, const Trace& trace) {
   return repeated(0, static_cast<int>(repeat), trace);
 }
 
-Tracer tracer_of(const TradeoffTask& task, const StructureFile* grid) {
+ResidentTracer tracer_of(const TradeoffTask& task, const StructureFile* grid) {
   return {task.scene, grid, task.setup.backend == "cuda" ? Device::cuda : Device::cpu};
 }
 
-RayHits trace(const Tracer& tracer, const TracingRules& rules, const std::vector<Ray<double>>& rays,
+RayHits trace(const ResidentTracer& tracer, const TracingRules& rules, const std::vector<Ray<double>>& rays,
               RayLoop loop, std::uint64_t repeat) {
   const RaysRequest request{rules, Query::nearest_hit, loop};
   RayHits found = tracer.hits(rays, request, HitName::primitive);
@@ -36,7 +36,7 @@ RayHits trace(const Tracer& tracer, const TracingRules& rules, const std::vector
   return found;
 }
 
-Frame render(const TradeoffTask& task, const Tracer& tracer, const TracingRules& rules,
+Frame render(const TradeoffTask& task, const ResidentTracer& tracer, const TracingRules& rules,
              std::uint64_t repeat) {
   FrameRequest request;
   request.tracing = rules;
@@ -120,7 +120,7 @@ const TradeoffTask::Reference& TradeoffTask::reference() {
   add_some(primary, setup.compared, found.rays);
   add_some(random, setup.compared, found.rays);
   const TracingRules rules{Precision::doubled};
-  const Tracer tracer = tracer_of(*this, nullptr);
+  const ResidentTracer tracer = tracer_of(*this, nullptr);
   found.hits = trace(tracer, rules, found.rays, RayLoop::thread_per_ray, 1).hits;
   found.radiance = render(*this, tracer, rules, 1).radiance;
   reference_ = std::move(found);
@@ -131,7 +131,7 @@ Measurement measure(TradeoffTask& task, const StructureFile& grid, const Configu
   const TradeoffTask::Reference& reference = task.reference();
   const TracingRules rules{configuration.precision, configuration.stop};
   const std::uint64_t repeat = task.setup.repeat;
-  const Tracer tracer = tracer_of(task, &grid);
+  const ResidentTracer tracer = tracer_of(task, &grid);
   // On a GPU each set by its automatic loop.
   const auto loop = [&](const std::vector<Ray<double>>& rays) {
     return automatic_loop(tracer, rays, Query::nearest_hit, configuration.precision);

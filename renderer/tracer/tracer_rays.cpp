@@ -2,6 +2,7 @@
 #include "libscene/base/error.h"
 #include "libscene/base/on_threads.h"
 #include "renderer/backend.h"
+#include "renderer/tracer/tracer.h"
 
 #include <fmt/format.h>
 
@@ -76,8 +77,8 @@ void check_filters(const RayFilters& filters, std::uint64_t objects) {
   }
 }
 
-RaysRequest Tracer::resolved(const RaysRequest& request, const RayList& rays,
-                             const RayResults& results) const {
+RaysRequest ResidentTracer::resolved(const RaysRequest& request, const RayList& rays,
+                                     const RayResults& results) const {
   check_results(rays, results, request.query);
   check_filters(rays.filters, scene_.counts().objects);
   RaysRequest resolved_request = request;
@@ -87,16 +88,16 @@ RaysRequest Tracer::resolved(const RaysRequest& request, const RayList& rays,
   return resolved_request;
 }
 
-RayList Tracer::to_local(RayList rays) const {
+RayList ResidentTracer::to_local(RayList rays) const {
   rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : scene_.origin();
   return rays;
 }
 
-QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
-                          std::size_t index) const {
+QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
+                                  std::size_t index) const {
   const RaysRequest resolved_request = resolved(request, rays, results);
   if (device_ == Device::cpu) {
-    const QueryReport report = trace_rays_cpu(scene_, grid_, to_local(rays), results, resolved_request);
+    const QueryReport report = trace_rays_cpu(scene_, structure_, to_local(rays), results, resolved_request);
     check_unchanged();
     return report;
   }
@@ -104,7 +105,8 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
   return trace_rays_cuda(*files_.at(index), to_local(rays), results, resolved_request, next_piece);
 }
 
-QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
+QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results,
+                                  const RaysRequest& request) const {
   if (device_count() == 1 || rays.count <= rays_per_piece(request))
     return trace(rays, results, request, next_device());
   const RaysRequest resolved_request = resolved(request, rays, results);
@@ -126,8 +128,8 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
   return all;
 }
 
-QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& results,
-                                    const RaysRequest& request, void* stream, int gpu) const {
+QueryReport ResidentTracer::trace_on_device(const RayList& rays, const RayResults& results,
+                                            const RaysRequest& request, void* stream, int gpu) const {
   if (device_ == Device::cpu) return trace(rays, results, request);
   const auto index = static_cast<std::size_t>(std::ranges::find(gpus_, gpu) - gpus_.begin());
   if (index == gpus_.size()) throw Error(ErrorCode::usage, "rays", "aren't in memory of the tracer's GPUs");
@@ -137,7 +139,7 @@ QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& resul
   return launch_rays_cuda(*files_[index], to_local(rays), results, resolved_request, stream);
 }
 
-RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName name) const {
+RayHits ResidentTracer::hits(const RayList& rays, const RaysRequest& request, HitName name) const {
   std::vector<float> t(rays.count);
   std::vector<std::uint32_t> names(rays.count);
   std::vector<std::uint8_t> occluded(request.query == Query::occlusion ? rays.count : 0);
@@ -154,13 +156,13 @@ RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName na
   return found;
 }
 
-ResidentRays Tracer::upload(std::span<const Ray<double>> rays, Precision precision) const {
+ResidentRays ResidentTracer::upload(std::span<const Ray<double>> rays, Precision precision) const {
   precision = masu::resolved(precision, scene_);
   return precision == Precision::doubled ? resident_rays<double>(rays, gpus_)
                                          : resident_rays<float>(rays, gpus_);
 }
 
-QueryReport Tracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
+QueryReport ResidentTracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
   if (device_ == Device::cpu) return trace(rays.list, rays.results, request);
   return time_rays_cuda(*files_.front(), rays, resolved(request, rays.list, rays.results));
 }

@@ -1,5 +1,5 @@
 // The curves in which planes cut primitives, against what defines the primitives.
-#include "libscene/section.h"
+#include "libscene/plane_cut.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/stability/oracle/oracle.h"
@@ -19,11 +19,11 @@ using Section = RandomTest;
 
 constexpr double no_limit = 1e300;
 
-SectionOptions everywhere(int axis, double position, double deviation) {
+PlaneCut everywhere(int axis, double position, double deviation) {
   return {axis, position, {-no_limit, -no_limit}, {no_limit, no_limit}, deviation};
 }
 
-Vec3d in_space(const SectionOptions& plane, const std::array<double, 2>& at) {
+Vec3d in_space(const PlaneCut& plane, const std::array<double, 2>& at) {
   Vec3d p{};
   p.set(plane.axis, plane.position);
   p.set(plane.axis == 0 ? 1 : 0, at[0]);
@@ -58,8 +58,8 @@ TEST_F(Section, LiesOnItsPrimitives) {
     const Boxd box = scene.bounds();
     const int axis = chance_.whole(0, 2);
     const double position = chance_.uniform(box.min[axis], box.max[axis]);
-    const SectionOptions plane = everywhere(axis, position, 1e-3);
-    for (const SectionSegment& segment : section_of(scene.view(), plane)) {
+    const PlaneCut plane = everywhere(axis, position, 1e-3);
+    for (const CutSegment& segment : plane_cut_of(scene.view(), plane)) {
       ++segments;
       with_primitive(scene.view(), segment.primitive, [&](const auto& primitive) {
         for (const auto& end : {segment.from, segment.to})
@@ -84,9 +84,9 @@ TEST_F(Section, HasEveryPointOfItsPrimitives) {
       const Boxd own = bounds(primitive);
       const double extent = length(own.max - own.min);
       const int axis = chance_.whole(0, 2);
-      const SectionOptions plane = everywhere(axis, p[axis], 1e-4 * extent);
+      const PlaneCut plane = everywhere(axis, p[axis], 1e-4 * extent);
       double nearest = std::numeric_limits<double>::infinity();
-      for (const SectionSegment& segment : section_of(view, plane)) {
+      for (const CutSegment& segment : plane_cut_of(view, plane)) {
         if (segment.primitive == index)
           nearest = std::min(
               nearest, distance_to_segment(p, in_space(plane, segment.from), in_space(plane, segment.to)));
@@ -108,41 +108,41 @@ TEST_F(Section, OfTheWindowHasAllThatIsInIt) {
     TestScene<double> scene = SceneMaker<double>(chance_, 1).scene();
     const Boxd box = scene.bounds();
     const int axis = chance_.whole(0, 2);
-    SectionOptions plane = everywhere(axis, chance_.uniform(box.min[axis], box.max[axis]), 1e-3);
-    const auto all = section_of(scene.view(), plane);
+    PlaneCut plane = everywhere(axis, chance_.uniform(box.min[axis], box.max[axis]), 1e-3);
+    const auto all = plane_cut_of(scene.view(), plane);
     const Vec3d a = chance_.in_box(box), b = chance_.in_box(box);
     for (std::size_t k = 0; k < 2; ++k) {
       const int along = k == 0 ? (axis == 0 ? 1 : 0) : (axis == 2 ? 1 : 2);
       plane.min[k] = std::min(a[along], b[along]);
       plane.max[k] = std::max(a[along], b[along]);
     }
-    const auto some = section_of(scene.view(), plane);
-    for (const SectionSegment& segment : all) {
+    const auto some = plane_cut_of(scene.view(), plane);
+    for (const CutSegment& segment : all) {
       const auto is_inside = [&](const std::array<double, 2>& p) {
         return p[0] > plane.min[0] && p[0] < plane.max[0] && p[1] > plane.min[1] && p[1] < plane.max[1];
       };
       if (!is_inside(segment.from) && !is_inside(segment.to)) continue;
-      EXPECT_TRUE(std::ranges::any_of(some, [&](const SectionSegment& other) {
+      EXPECT_TRUE(std::ranges::any_of(some, [&](const CutSegment& other) {
         return other.from == segment.from && other.to == segment.to && other.primitive == segment.primitive;
       }));
     }
   }
 }
 
-double total_length(const std::vector<SectionSegment>& segments) {
+double total_length(const std::vector<CutSegment>& segments) {
   double sum = 0;
-  for (const SectionSegment& s : segments)
+  for (const CutSegment& s : segments)
     sum += std::hypot(s.to[0] - s.from[0], s.to[1] - s.from[1]);
   return sum;
 }
 
 template <class Primitive>
-std::vector<SectionSegment> cut(const Primitive& primitive, int axis, double position) {
+std::vector<CutSegment> cut(const Primitive& primitive, int axis, double position) {
   TestScene<double> scene;
   if constexpr (std::is_same_v<Primitive, Triangle<double>>) scene.triangles.push_back(primitive);
   if constexpr (std::is_same_v<Primitive, Sphere<double>>) scene.spheres.push_back(primitive);
   if constexpr (std::is_same_v<Primitive, Cone<double>>) scene.cones.push_back(primitive);
-  return section_of(scene.view(), everywhere(axis, position, 1e-6));
+  return plane_cut_of(scene.view(), everywhere(axis, position, 1e-6));
 }
 
 TEST_F(Section, HasTheLengthsOfKnownCurves) {

@@ -1,4 +1,4 @@
-#include "libscene/section.h"
+#include "libscene/plane_cut.h"
 
 #include "libscene/geometry/cone.h"
 
@@ -20,7 +20,7 @@ int chords_for(double radius, double deviation) {
 
 class Section {
 public:
-  explicit Section(const SectionOptions& options)
+  explicit Section(const PlaneCut& options)
       : options_(options), u_(options.axis == 0 ? 1 : 0), v_(options.axis == 2 ? 1 : 2) {}
 
   template <class Primitive>
@@ -35,7 +35,7 @@ public:
     cut(primitive);
   }
 
-  std::vector<SectionSegment> segments;
+  std::vector<CutSegment> segments;
 
 private:
   using Point = std::array<double, 2>;
@@ -199,7 +199,7 @@ private:
     }
   }
 
-  const SectionOptions& options_;
+  const PlaneCut& options_;
   int u_, v_;
   PrimitiveIndex primitive_ = no_primitive;
 };
@@ -207,10 +207,10 @@ private:
 } // namespace
 
 template <class Stored>
-std::vector<SectionSegment> section_of(const SceneView<Stored>& scene, const SectionOptions& options) {
+std::vector<CutSegment> plane_cut_of(const SceneView<Stored>& scene, const PlaneCut& options) {
   const std::array<double, 2> origin{options.origin[options.axis == 0 ? 1 : 0],
                                      options.origin[options.axis == 2 ? 1 : 2]};
-  SectionOptions local = options;
+  PlaneCut local = options;
   local.position -= options.origin[options.axis];
   for (std::size_t i = 0; i < 2; ++i) {
     local.min[i] -= origin[i];
@@ -219,7 +219,7 @@ std::vector<SectionSegment> section_of(const SceneView<Stored>& scene, const Sec
   Section section(local);
   for (PrimitiveIndex i = 0; i < scene.primitive_count(); ++i)
     with_primitive(scene, i, [&](const auto& primitive) { section.add(primitive, i); });
-  for (SectionSegment& segment : section.segments) {
+  for (CutSegment& segment : section.segments) {
     for (std::size_t i = 0; i < 2; ++i) {
       segment.from[i] += origin[i];
       segment.to[i] += origin[i];
@@ -227,7 +227,7 @@ std::vector<SectionSegment> section_of(const SceneView<Stored>& scene, const Sec
   }
   return std::move(section.segments);
 }
-template std::vector<SectionSegment> section_of(const SceneView<float>&, const SectionOptions&);
-template std::vector<SectionSegment> section_of(const SceneView<double>&, const SectionOptions&);
+template std::vector<CutSegment> plane_cut_of(const SceneView<float>&, const PlaneCut&);
+template std::vector<CutSegment> plane_cut_of(const SceneView<double>&, const PlaneCut&);
 
 } // namespace masu
