@@ -4,6 +4,7 @@
 #include "libgrid/file/structure_file.h"
 #include "libgrid/trace/any_structure.h"
 #include "renderer/arithmetic.h"
+#include "renderer/counts.h"
 #include "renderer/render_pixel.h"
 #include "renderer/tracing_rules.h"
 

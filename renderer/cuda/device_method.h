@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/trace/trace.h"
+#include "renderer/counts.h"
 #include "renderer/cuda/kernel.h"
 
 namespace masu {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "renderer/cuda/kernel.h"
+#include "renderer/rays/ray_query.h"
 
 namespace masu {
 
