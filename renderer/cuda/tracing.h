@@ -49,12 +49,6 @@ constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
                                 (std::is_same_v<TestRay, WatertightRay<double>> &&
                                  query == Query::nearest_hit && !is_hierarchy<Structure>);
 
-// Whether a list is one for warps, which number its rays in 31 bits.
-template <class Real>
-bool goes_by_warps(RayLoop loop, const RayBatch<Real>& batch) {
-  return loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps;
-}
-
 // A list of rays, with room for those that culling chooses where that may be worth it.
 template <class Real>
 struct CullingMemory {
@@ -161,28 +155,25 @@ constexpr bool has_loops =
 template <Query query, class M, class C, class Stored, class Structure>
 KernelSize trace_list(const DeviceFilesOf<Stored>& files, const Structure& structure, RayLoop loop,
                       const RayBatch<typename M::Real>& batch) {
-  if constexpr (has_loops<C, query, M, Structure>) {
-    if constexpr (is_hierarchy<Structure>) return trace_by_hierarchy<query, M>(files, structure, loop, batch);
-    if (goes_by_warps(loop, batch)) return trace_by_warps<query, M>(files, structure, loop, batch);
+  using Real = typename M::Real;
+  constexpr bool loops = has_loops<C, query, M, Structure>;
+  const bool by_warps = loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps;
+  if constexpr (loops && is_hierarchy<Structure>) {
+    return trace_by_hierarchy<query, M>(files, structure, loop, batch);
+  } else if constexpr (std::is_same_v<Structure, GridView<Real>>) {
+    using General = Method<typename M::TestRay, with_all_kinds>;
+    if constexpr (loops)
+      if (by_warps) return trace_by_warps<query, General>(files, structure, loop, batch);
+    return trace_by_threads<query, General, C>(files, any_structure<Real>(files.structure.records), batch);
+  } else {
+    if constexpr (loops && is_any_structure<Structure>) {
+      if (by_warps && structure.form == StructureForm::merged && structure.stop == StopRule::proven)
+        return trace_by_warps<query, M>(files, structure.merged, loop, batch);
+    } else if constexpr (loops) {
+      if (by_warps) return trace_by_warps<query, M>(files, structure, loop, batch);
+    }
+    return trace_by_threads<query, M, C>(files, structure, batch);
   }
-  return trace_by_threads<query, M, C>(files, structure, batch);
-}
-template <Query query, class M, class C, class Stored>
-KernelSize trace_list(const DeviceFilesOf<Stored>& files, const GridView<typename M::Real>& grid,
-                      RayLoop loop, const RayBatch<typename M::Real>& batch) {
-  using General = Method<typename M::TestRay, with_all_kinds>;
-  if constexpr (has_loops<C, query, M, GridView<typename M::Real>>)
-    if (goes_by_warps(loop, batch)) return trace_by_warps<query, General>(files, grid, loop, batch);
-  return trace_by_threads<query, General, C>(files, any_structure<typename M::Real>(files.structure.records),
-                                             batch);
-}
-template <Query query, class M, class C, class Stored>
-KernelSize trace_list(const DeviceFilesOf<Stored>& files, const AnyStructure<typename M::Real>& any,
-                      RayLoop loop, const RayBatch<typename M::Real>& batch) {
-  if constexpr (has_loops<C, query, M, AnyStructure<typename M::Real>>)
-    if (goes_by_warps(loop, batch) && any.form == StructureForm::merged && any.stop == StopRule::proven)
-      return trace_by_warps<query, M>(files, any.merged, loop, batch);
-  return trace_by_threads<query, M, C>(files, any, batch);
 }
 
 template <class TestRay, class Stored>
