@@ -11,7 +11,7 @@
 #pragma once
 
 #include "libgrid/trace/trace.h"
-#include "libscene/geometry/eight_triangles.h"
+#include "libscene/geometry/triangle_lanes.h"
 
 #include <cstring>
 
@@ -68,21 +68,22 @@ MASU_ALWAYS_INLINE void sort_descending(__m256i (&rows)[8]) {
   transpose(rows);
 }
 
-// M: a Method in float32 arithmetic. Walks are cut into four stages, which are called in turn: in between
+// M: a Method by watertight tests. Walks are cut into four stages, which are called in turn: in between
 // comes other groups' work, so that what one stage loads or computes is there for the next.
 //
 //   meet_boxes  tests the boxes of each ray's node, and prefetches the primitives that may be met
 //   push        puts the nodes that are met ahead, and takes the nearest as the next
 //   test        tests primitives
 //   resume      keeps the hits; where the next node is beyond them, takes another; or the walk ends
-template <Query query, class M>
+template <Query query, class M, class Stored>
 class EightWalks {
 public:
+  using Real = typename M::Real;
   static constexpr int lanes = 8;
 
   // No lane has a ray.
   explicit EightWalks( // NOLINT(cppcoreguidelines-pro-type-member-init): idle lanes count for nothing
-      const HierarchyView<float>& hierarchy)
+      const HierarchyView<Real>& hierarchy)
       : hierarchy_(hierarchy) {
     for (int lane = 0; lane < lanes; ++lane) {
       std::fill_n(ahead_[lane].entries, below, nowhere);
@@ -93,8 +94,8 @@ public:
   }
 
   // Gives a ray to a lane: a prepared one, with its direction's inverse, bounded (bounded_inverse()).
-  MASU_ALWAYS_INLINE void begin(int lane, const WatertightRay<float>& ray, const Vec3<float>& inverse,
-                                float t_min, float t_max) {
+  MASU_ALWAYS_INLINE void begin(int lane, const WatertightRay<Real>& ray, const Vec3<Real>& inverse,
+                                Real t_min, Real t_max) {
     const auto i = static_cast<std::size_t>(lane);
     origin_.set(i, ray.origin);
     direction_.set(i, ray.direction);
@@ -102,35 +103,33 @@ public:
     across2_.set(i, ray.across2);
     inverse_square_.of[i] = ray.inverse_square;
     t_min_[lane] = t_min;
-    t_max_[lane] = t_.of[i] = t_max;
+    t_max_[lane] = t_[lane] = t_max;
+    farthest_.of[i] = in_float32(t_max);
     primitive_[lane] = 0; // wins no tie at t_max
-    box_rays_[lane] = BoxRay(ray.origin, inverse);
+    box_rays_[lane] = BoxRay<Stored>(ray.origin, inverse);
     go_to(lane, hierarchy_.nodes, 0, below);
   }
   MASU_ALWAYS_INLINE void leave_idle(int lane) {
     box_rays_[lane] = idle_ray();
-    t_.of[lane] = -1; // meets no box
+    farthest_.of[lane] = -1; // meets no box
     end(lane);
   }
 
   // The nearest hit; of occlusion one that is nearer than t_max.
-  MASU_ALWAYS_INLINE Hit<float> hit(int lane) const {
-    const float t = t_.of[lane];
-    return t < t_max_[lane] ? Hit<float>{t, primitive_[lane]} : no_hit();
+  MASU_ALWAYS_INLINE Hit<Real> hit(int lane) const {
+    const Real t = t_[lane];
+    return t < t_max_[lane] ? Hit<Real>{t, primitive_[lane]} : no_hit<Real>();
   }
 
-  template <class Stored>
   MASU_ALWAYS_INLINE void meet_boxes(const SceneView<Stored>& scene) {
     const __m256i numbers = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), is_node = _mm256_set1_epi32(0x18);
     unsigned with_references = 0; // a bit per lane
     for (int lane = 0; lane < lanes; ++lane) {
       const HierarchyNode& node = *node_[lane];
-      const BoxesMet met = boxes_met(node, box_rays_[lane], t_.of[lane]);
+      const BoxesMet<float> met = boxes_met(node, box_rays_[lane], farthest_.of[lane]);
       const __m256i slots = eight_bytes(node.slots);
-      const __m256i nodes = _mm256_and_si256(_mm256_cmpeq_epi32(_mm256_and_si256(slots, is_node), is_node),
-                                             _mm256_castps_si256(met.lanes));
-      const __m256i entry = _mm256_or_si256(
-          _mm256_andnot_si256(_mm256_set1_epi32(slot_mask), _mm256_castps_si256(met.enter)), numbers);
+      const __m256i nodes = _mm256_cmpeq_epi32(slots & is_node, is_node) & met.lanes.whole();
+      const __m256i entry = (met.enter.whole() & ~_mm256_set1_epi32(slot_mask)) | numbers;
       entries_met_[lane] = _mm256_blendv_epi8(_mm256_set1_epi32(-1), entry, nodes);
       met_[lane] = slots_met(slots, met.lanes);
       with_references |= ((met_[lane] & all_references) != 0 ? 1U : 0U) << lane;
@@ -155,7 +154,7 @@ public:
     const PrimitiveIndex* const references = hierarchy_.references;
     for (std::uint32_t i = 0; i < end; ++i) {
       test_[i] = references[test_[i]];
-      if constexpr (tests_eight_triangles<M, Stored>) prefetch(scene.triangles + test_[i]);
+      if constexpr (tests_triangles_in_lanes<M, Stored>) prefetch(scene.triangles + test_[i]);
     }
   }
 
@@ -177,29 +176,25 @@ public:
     }
   }
 
-  template <class Stored>
   MASU_ALWAYS_INLINE void test(const SceneView<Stored>& scene) {
     std::fill_n(hits_, std::size(hits_), 0);
     const auto add_hits = [&](std::uint32_t first, std::uint64_t bits) {
       hits_[first / 64] |= bits << first % 64;
     };
-    if constexpr (tests_eight_triangles<M, Stored>) {
+    if constexpr (tests_triangles_in_lanes<M, Stored>) {
       if (test_count_ == 0) return;
       // Beyond the last: the last again.
       store_eight(test_ + test_count_, _mm256_set1_epi32(static_cast<int>(test_[test_count_ - 1])));
       store_eight(test_lane_ + test_count_, _mm256_setzero_si256());
-      for (std::uint32_t first = 0; first < test_count_; first += 8) {
-        const __m256i of = load_eight(test_lane_ + first);
-        const auto vectors = [&](const Vectors8& all) {
-          return Vec3<Floats8>{permuted(all.x.all(), of), permuted(all.y.all(), of),
-                               permuted(all.z.all(), of)};
-        };
-        const WatertightRay<Floats8> rays{
-            {vectors(origin_), vectors(direction_), permuted(inverse_square_.all(), of)},
-            vectors(across1_),
-            vectors(across2_)};
-        Floats8 t = 0;
-        const Mask8 hits = intersect(rays, scene.triangles, test_ + first, t);
+      constexpr std::uint32_t at_once = Lanes<Real>::count;
+      for (std::uint32_t first = 0; first < test_count_; first += at_once) {
+        const int* const of = test_lane_ + first;
+        const WatertightRay<Lanes<Real>> rays{
+            {origin_.of_rays(of), direction_.of_rays(of), inverse_square_.of_rays(of)},
+            across1_.of_rays(of),
+            across2_.of_rays(of)};
+        Lanes<Real> t = 0;
+        const LaneMask<Real> hits = intersect(rays, scene.triangles, test_ + first, t);
         t.store(test_t_ + first);
         add_hits(first, _bzhi_u32(hits.bits(), test_count_ - first));
       }
@@ -207,9 +202,9 @@ public:
       NoTestCounts counts;
       for (std::uint32_t i = 0; i < test_count_; ++i) {
         const auto lane = static_cast<std::size_t>(test_lane_[i]);
-        const WatertightRay<float> ray{{origin_.of(lane), direction_.of(lane), inverse_square_.of[lane]},
-                                       across1_.of(lane),
-                                       across2_.of(lane)};
+        const WatertightRay<Real> ray{{origin_.of(lane), direction_.of(lane), inverse_square_.of[lane]},
+                                      across1_.of(lane),
+                                      across2_.of(lane)};
         if (intersect<M::kinds>(scene, ray, test_[i], t_min_[lane], test_t_[i], counts)) add_hits(i, 1);
       }
     }
@@ -225,12 +220,12 @@ public:
         keep(test_lane_[i], test_t_[i], test_[i]);
       }
     }
-    const __m256i farthest = _mm256_or_si256(_mm256_castps_si256(t_.all().v), _mm256_set1_epi32(slot_mask)),
+    const __m256i farthest = farthest_.all().whole() | _mm256_set1_epi32(slot_mask),
                   beyond = _mm256_cmpgt_epi32(load_eight(entry_), farthest);
     each_bit(static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(beyond))), [&](int lane) {
       // Eight are looked at: to take one that is beyond does no harm.
       const __m256i top = load_eight(ahead_[lane].entries + height_[lane] - 8),
-                    limit = _mm256_set1_epi32(static_cast<int>(bits_of(t_.of[lane])) | slot_mask);
+                    limit = _mm256_set1_epi32(static_cast<int>(bits_of(farthest_.of[lane])) | slot_mask);
       const auto bits =
           static_cast<std::uint8_t>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(top, limit))));
       const std::ptrdiff_t height = height_[lane] - std::countl_one(bits);
@@ -258,7 +253,7 @@ private:
   static constexpr std::uint32_t all_references = 0xffffff;
   static constexpr unsigned most_tests = lanes * max_references_per_node;
 
-  static BoxRay idle_ray() { return BoxRay({0, 0, 0}, {1, 1, 1}); }
+  static BoxRay<Stored> idle_ray() { return {Vec3f{0, 0, 0}, Vec3f{1, 1, 1}}; }
 
   MASU_ALWAYS_INLINE void go_to(int lane, const HierarchyNode* node, std::int32_t entry,
                                 std::ptrdiff_t height) {
@@ -276,24 +271,26 @@ private:
     go_to(lane, nodes + (siblings >> 32) + std::popcount(before), entry, height);
   }
 
-  MASU_ALWAYS_INLINE void keep(int lane, float t, PrimitiveIndex primitive) {
+  MASU_ALWAYS_INLINE void keep(int lane, Real t, PrimitiveIndex primitive) {
     if (!(t > t_min_[lane])) return;
     if constexpr (query == Query::occlusion) {
       if (!(t < t_max_[lane])) return;
       end(lane);
     } else {
-      if (!is_nearer(t, primitive, {t_.of[lane], primitive_[lane]})) return;
+      if (!is_nearer(t, primitive, {t_[lane], primitive_[lane]})) return;
       primitive_[lane] = primitive;
     }
-    t_.of[lane] = t;
+    t_[lane] = t;
+    farthest_.of[lane] = in_float32(t);
   }
 
   // Of each lane: its ray, and the nearest hit so far, at t_max where there is none.
-  Vectors8 origin_, direction_, across1_, across2_;
-  Numbers8 inverse_square_, t_;
-  BoxRay box_rays_[lanes]{idle_ray(), idle_ray(), idle_ray(), idle_ray(),
-                          idle_ray(), idle_ray(), idle_ray(), idle_ray()};
-  float t_min_[lanes], t_max_[lanes];
+  Vectors<Real, lanes> origin_, direction_, across1_, across2_;
+  Numbers<Real, lanes> inverse_square_;
+  BoxRay<Stored> box_rays_[lanes]{idle_ray(), idle_ray(), idle_ray(), idle_ray(),
+                                  idle_ray(), idle_ray(), idle_ray(), idle_ray()};
+  Real t_min_[lanes], t_max_[lanes], t_[lanes];
+  Numbers<float, lanes> farthest_; // in_float32(t_); where nothing is to be met -1
   PrimitiveIndex primitive_[lanes];
 
   // The node to visit, where the ray enters it, and what is ahead besides.
@@ -307,13 +304,13 @@ private:
   std::uint32_t met_[lanes];
 
   // Primitives to be tested, each one's lane, and where it is hit, a bit for each hit.
-  alignas(32) float test_t_[most_tests + 8];
+  alignas(32) Real test_t_[most_tests + 8];
   PrimitiveIndex test_[most_tests + 8];
   int test_lane_[most_tests + 8];
   std::uint64_t hits_[most_tests / 64];
   std::uint32_t test_count_ = 0;
 
-  const HierarchyView<float> hierarchy_;
+  const HierarchyView<Real> hierarchy_;
 };
 
 } // namespace masu

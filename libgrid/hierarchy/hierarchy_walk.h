@@ -177,20 +177,19 @@ MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& o
       met.enter((entry_bits(enter) & ~MetBoxes::slot_bits) | static_cast<std::uint32_t>(slot));
   };
 #ifdef MASU_HOST_AVX2
-  if constexpr (sizeof(Real) == sizeof(float)) { // counted walks take two thirds of the time
-    const auto t = [](const std::uint32_t(&planes)[2], const NodeAxis<float>& axis) {
-      const __m256i bits =
-          _mm256_or_si256(_mm256_slli_epi32(eight_bytes(planes), 8), _mm256_set1_epi32(plane_offset_bits));
-      return fma(Floats8(_mm256_castsi256_ps(bits)), axis.scale, axis.start);
+  using Planes = Lanes<Real>; // counted walks take two thirds of the time
+  for (std::size_t first = 0; first < boxes_per_node; first += Planes::count) {
+    const auto t = [&](const std::uint32_t(&planes)[2], const NodeAxis<Real>& axis) {
+      const __m256i bits = _mm256_slli_epi32(eight_bytes(planes), 8) | _mm256_set1_epi32(plane_offset_bits);
+      return fma(part_of<Real>(_mm256_castsi256_ps(bits), first), axis.scale, axis.start);
     };
-    const BoxesMet boxes =
-        boxes_met({t(near_x, x), t(near_y, y), t(near_z, z)}, {t(far_x, x), t(far_y, y), t(far_z, z)}, t_max);
-    alignas(32) float enter[boxes_per_node];
-    _mm256_store_ps(enter, boxes.enter);
-    each_bit(boxes.slots, [&](int slot) { meet(slot, enter[slot]); });
-    return met;
+    const BoxesMet<Real> boxes = boxes_met<Real>({t(near_x, x), t(near_y, y), t(near_z, z)},
+                                                 {t(far_x, x), t(far_y, y), t(far_z, z)}, t_max);
+    alignas(32) Real enter[Planes::count];
+    boxes.enter.store(enter);
+    each_bit(boxes.slots(), [&](int slot) { meet(static_cast<int>(first) + slot, enter[slot]); });
   }
-#endif
+#else
   const auto t = [](const std::uint32_t(&planes)[2], int slot, const NodeAxis<Real>& axis) {
     return fma(static_cast<Real>(float_of(plane_offset_bits | slot_byte(planes, slot) << 8)), axis.scale,
                axis.start);
@@ -202,6 +201,7 @@ MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& o
                                 fast_min(t(far_z, slot, z), t_max));
     if (enter <= leave) meet(slot, enter);
   }
+#endif
 #endif
   return met;
 }
@@ -374,8 +374,9 @@ template <class Real, class Visitor>
 MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay<Real>& near, std::uint32_t,
                           Visitor& visitor) {
 #ifdef MASU_HOST_AVX2
-  if constexpr (sizeof(Real) == sizeof(float) && !std::decay_t<decltype(visitor.counts)>::is_counted) {
-    NearestFirstWalk walk(visitor.ray.origin, bounded_inverse(near));
+  if constexpr (!std::decay_t<decltype(visitor.counts)>::is_counted) {
+    NearestFirstWalk<typename BoxArithmetic<Real, Visitor>::type> walk(visitor.ray.origin,
+                                                                       bounded_inverse(near));
     while (walk.advance(hierarchy, visitor)) {
     }
     return;

@@ -61,9 +61,9 @@ MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay
 #ifdef MASU_HOST_AVX2
 // Whether a scene's primitives can be tested several at a time: triangles, without any other kind.
 template <class M, class Stored>
-inline constexpr bool tests_eight_triangles =
-    M::kinds == with_triangles&& std::is_same_v<typename M::TestRay, WatertightRay<float>>&&
-                    std::is_same_v<Stored, float>;
+inline constexpr bool tests_triangles_in_lanes =
+    M::kinds == with_triangles&& std::is_same_v<typename M::TestRay, WatertightRay<typename M::Real>> &&
+    (sizeof(Stored) <= sizeof(typename M::Real));
 #endif
 
 // Keeps the nearest hit beyond t_min: where that lies, it is read when something is met.
@@ -94,7 +94,7 @@ struct NearestHit {
       hit = {t, number};
   }
 #ifdef MASU_HOST_AVX2
-  void met(Real t, PrimitiveIndex number) requires tests_eight_triangles<M, Stored> {
+  void met(Real t, PrimitiveIndex number) requires tests_triangles_in_lanes<M, Stored> {
     if (t > t_min && is_nearer(t, number, hit)) hit = {t, number};
   }
 #endif
@@ -135,7 +135,7 @@ struct AnyHit {
     if (intersect<M::kinds>(scene, ray, leaf.primitive(), leaf, t_min, t, counts) && t < t_max) hit = t;
   }
 #ifdef MASU_HOST_AVX2
-  void met(Real t, PrimitiveIndex) requires tests_eight_triangles<M, Stored> {
+  void met(Real t, PrimitiveIndex) requires tests_triangles_in_lanes<M, Stored> {
     if (t > t_min && t < t_max) hit = t;
   }
 #endif

@@ -29,8 +29,9 @@ struct Hit {
 };
 
 // A miss as it is reported of a ray in a list.
-MASU_HD constexpr Hit<float> no_hit() {
-  return {static_cast<float>(INFINITY), no_primitive};
+template <class Real = float>
+MASU_HD constexpr Hit<Real> no_hit() {
+  return {static_cast<Real>(INFINITY), no_primitive};
 }
 
 // Ties go to the lowest primitive index: so results don't depend on the order of tests.

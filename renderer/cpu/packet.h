@@ -1,40 +1,42 @@
 // Rays of a list that are alike, as camera rays are, traced as packets on one thread of a processor with
 // AVX2: a node is visited once for all rays of a packet. Boxes that no ray between the bounds of their
 // origins and inverse directions meets are passed over, eight at a time (after Boulos, Wald & Shirley,
-// "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006). What is left is tested against
-// eight rays at a time: a node's box until some meet it (after Overbeck, Ramamoorthi & Mark, "Large Ray
-// Packets for Real-Time Whitted Ray Tracing", 2008), that of references against all, and each primitive
-// against the eights that meet its box.
+// "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006). What is left is tested against a
+// row of rays at a time, eight in float32 and four in float64: a node's box until some meet it (after
+// Overbeck, Ramamoorthi & Mark, "Large Ray Packets for Real-Time Whitted Ray Tracing", 2008), that of
+// references against all, and each primitive against the rows that meet its box.
 //
 // The hits are those of HierarchyWalk, to the bit; what is visited on the way isn't the same. Host only.
 #pragma once
 
-#include "renderer/cpu/eight_rays.h"
+#include "renderer/cpu/ray_lanes.h"
 
 #include <algorithm>
 
 namespace masu {
 
-// Rays of a packet that run the same way along each axis, on their way through a hierarchy. M: a Method in
-// float32 arithmetic.
+// Rays of a packet that run the same way along each axis, on their way through a hierarchy. M: a Method by
+// watertight tests.
 template <Query query, class M, class Stored>
 class PacketWalk {
 public:
-  static constexpr int eights = 4; // a tile of 8 by 4 pixels
+  using Real = typename M::Real;
+  using Rays = RayLanes<Real>;
+  static constexpr int rows = 32 / Rays::count; // a tile of 8 by 4 pixels
 
-  // `lanes`: of each eight a bit for each ray that takes part, of which there is one at least; `way`: signs
-  // of all their directions. Of eights of which no ray takes part nothing is read.
+  // `lanes`: of each row a bit for each ray that takes part, of which there is one at least; `way`: signs of
+  // all their directions. Of rows of which no ray takes part nothing is read.
   MASU_ALWAYS_INLINE PacketWalk( // NOLINT(cppcoreguidelines-pro-type-member-init): the body does it
-      const SceneView<Stored>& scene, const HierarchyView<float>& hierarchy, const EightRays (&rays)[eights],
-      const unsigned (&lanes)[eights], const Vec3<float>& way)
+      const SceneView<Stored>& scene, const HierarchyView<Real>& hierarchy, const Rays (&rays)[rows],
+      const unsigned (&lanes)[rows], const Vec3<Real>& way)
       : scene_(scene), hierarchy_(hierarchy), rays_(rays), entering_(bound(rays, lanes, way, true)),
         leaving_(bound(rays, lanes, way, false)) {
-    for (int e = 0; e < eights; ++e) {
-      t_[e] = -1.0F; // meets no box
+    for (int e = 0; e < rows; ++e) {
+      t_[e] = Real(-1); // meets no box
       if (lanes[e] == 0) continue;
       taking_part_ |= 1U << e;
       inverse_[e] = inverse(rays[e]);
-      t_[e] = select(lanes_of(lanes[e]), rays[e].t_max.all(), t_[e]);
+      t_[e] = select(lanes_of<Real>(lanes[e]), rays[e].t_max.all(), t_[e]);
       primitive_[e] = _mm256_setzero_si256(); // wins no tie at t_max
     }
     update_farthest();
@@ -53,88 +55,93 @@ public:
   }
 
   // The nearest hit of a ray that takes part; of occlusion one that is nearer than t_max.
-  Hit<float> hit(int e, std::size_t lane) const {
-    alignas(32) float t[EightRays::count];
+  Hit<Real> hit(int e, std::size_t lane) const {
+    alignas(32) Real t[Rays::count];
     t_[e].store(t);
-    PrimitiveIndex primitives[EightRays::count];
+    PrimitiveIndex primitives[8];
     store_eight(primitives, primitive_[e]);
-    const bool hits = t[lane] < (query == Query::occlusion ? 0.0F : rays_[e].t_max.of[lane]);
-    return hits ? Hit<float>{t[lane], primitives[lane]} : no_hit();
+    const bool hits = t[lane] < (query == Query::occlusion ? Real(0) : rays_[e].t_max.of[lane]);
+    return hits ? Hit<Real>{t[lane], primitives[lane * 8 / Rays::count]} : no_hit<Real>();
   }
 
 private:
+  using Number = Lanes<Real>;
+
   // A node to visit, and where the first ray enters it: before that, or there.
   struct Ahead {
     float enter;
     std::uint32_t node;
-    unsigned eights; // a bit for each whose rays may meet it
+    unsigned rows; // a bit for each whose rays may meet it
   };
 
-  static Vec3<Floats8> inverse(const EightRays& rays) { // bounded_inverse()
-    const Floats8 limit = 0x1p64F;
-    const auto bounded = [&](Floats8 v) { return min(max(v, -limit), limit); };
-    const Vec3<Floats8> v = rays.inverse.all();
+  static Vec3<Number> inverse(const Rays& rays) { // bounded_inverse()
+    const Number limit = Real(0x1p64F);
+    const auto bounded = [&](Number v) { return min(max(v, -limit), limit); };
+    const Vec3<Number> v = rays.inverse.all();
     return {bounded(v.x), bounded(v.y), bounded(v.z)};
   }
 
   // A ray that enters no box after one of the packet's does, or one that leaves none before. That is so of
   // products that are positive; negative ones are before all rays begin.
-  static BoxRay bound(const EightRays (&rays)[eights], const unsigned (&lanes)[eights],
-                      const Vec3<float>& way, bool enters) {
-    constexpr float largest = RealTraits<float>::largest;
-    Vec3<float> origin{}, speed{};
+  static BoxRay<Stored> bound(const Rays (&rays)[rows], const unsigned (&lanes)[rows], const Vec3<Real>& way,
+                              bool enters) {
+    constexpr Real largest = RealTraits<Real>::largest;
+    Vec3<Real> origin{}, speed{};
     for (int axis = 0; axis < 3; ++axis) {
       const bool last = enters != (way[axis] < 0); // the last origin and the least inverse, or the contrary
-      Floats8 from = last ? -largest : largest, inverted = -from;
-      for (int e = 0; e < eights; ++e) {
+      Number from = last ? -largest : largest, inverted = -from;
+      for (int e = 0; e < rows; ++e) {
         if (lanes[e] == 0) continue;
-        const Mask8 own = lanes_of(lanes[e]);
-        const Floats8 own_from = select(own, rays[e].origin.all()[axis], from),
-                      own_inverse = select(own, inverse(rays[e])[axis], inverted);
+        const LaneMask<Real> own = lanes_of<Real>(lanes[e]);
+        const Number own_from = select(own, rays[e].origin.all()[axis], from),
+                     own_inverse = select(own, inverse(rays[e])[axis], inverted);
         from = last ? max(from, own_from) : min(from, own_from);
         inverted = last ? min(inverted, own_inverse) : max(inverted, own_inverse);
       }
       origin.set(axis, last ? largest_lane(from) : least_lane(from));
       speed.set(axis, last ? least_lane(inverted) : largest_lane(inverted));
     }
-    return BoxRay(origin, speed);
+    return {origin, speed};
   }
 
   MASU_ALWAYS_INLINE void update_farthest() {
-    Floats8 all = t_[0];
-    for (const Floats8 t : t_)
+    Number all = t_[0];
+    for (const Number t : t_)
       all = max(all, t);
-    farthest_ = largest_lane(all);
+    farthest_ = in_float32(largest_lane(all));
   }
 
   // The same one by one.
   struct Planes {
-    alignas(32) float near[3][boxes_per_node], far[3][boxes_per_node];
+    alignas(32) Real near[3][boxes_per_node], far[3][boxes_per_node];
     MASU_ALWAYS_INLINE explicit Planes(const NodePlanes& planes) {
       for (int axis = 0; axis < 3; ++axis) {
-        planes.near[axis].store(near[axis]);
-        planes.far[axis].store(far[axis]);
+        for (std::size_t first = 0; first < boxes_per_node; first += Rays::count) {
+          part_of<Real>(planes.near[axis], first).store(near[axis] + first);
+          part_of<Real>(planes.far[axis], first).store(far[axis] + first);
+        }
       }
     }
   };
 
-  // A function of a slot: which of the eight rays meet its box.
+  // A function of a slot: which of a row's rays meet its box.
   MASU_ALWAYS_INLINE auto meeting(const HierarchyNode& node, const Planes& planes, int e) const {
-    const auto unit = [&](int axis) -> Floats8 {
+    const auto unit = [&](int axis) -> Number {
       return float_of((node.exponents >> (8 * axis) & 0xff) << 23);
     };
-    const Vec3<Floats8> scale = inverse_[e] * Vec3<Floats8>{unit(0), unit(1), unit(2)},
-                        start = (Vec3<Floats8>{node.origin[0], node.origin[1], node.origin[2]} -
-                                 rays_[e].origin.all()) *
-                                inverse_[e];
+    const Vec3<Number> scale = inverse_[e] * Vec3<Number>{unit(0), unit(1), unit(2)},
+                       start =
+                           (Vec3<Number>{Real(node.origin[0]), Real(node.origin[1]), Real(node.origin[2])} -
+                            rays_[e].origin.all()) *
+                           inverse_[e];
     return [&planes, scale, start, farthest = t_[e] ](int slot) __attribute__((always_inline)) {
-      const auto at = [&](const float(&of_slots)[3][boxes_per_node]) __attribute__((always_inline)) {
+      const auto at = [&](const Real(&of_slots)[3][boxes_per_node]) __attribute__((always_inline)) {
         const auto along = [&](int axis) __attribute__((always_inline)) {
-          return masu::fma(Floats8(of_slots[axis][slot]), scale[axis], start[axis]);
+          return fma(Number(of_slots[axis][slot]), scale[axis], start[axis]);
         };
-        return Vec3<Floats8>{along(0), along(1), along(2)};
+        return Vec3<Number>{along(0), along(1), along(2)};
       };
-      return boxes_met(at(planes.near), at(planes.far), farthest).slots;
+      return boxes_met<Real>(at(planes.near), at(planes.far), farthest).slots();
     };
   }
 
@@ -143,21 +150,21 @@ private:
   MASU_ALWAYS_INLINE int visit(const Ahead& own, Ahead* ahead, int height) {
     const HierarchyNode& node = hierarchy_.nodes[own.node];
     const NodePlanes numbers = planes_of(node, entering_);
-    const BoxesMet boxes = boxes_met(node, numbers, entering_, leaving_, farthest_);
+    const BoxesMet<float> boxes = boxes_met(node, numbers, entering_, leaving_, farthest_);
     const Planes planes(numbers);
-    const unsigned siblings = node_slots(node), with_references = boxes.slots & ~siblings;
+    const unsigned siblings = node_slots(node), with_references = boxes.slots() & ~siblings;
 
-    // Of nodes the eights from the first on that meets them, of references the lanes that meet their box.
-    unsigned undecided = boxes.slots & siblings, to_visit = 0, met_by[boxes_per_node];
-    std::uint8_t lanes[boxes_per_node][eights] = {};
-    for (int e = 0; e < eights && (undecided | with_references) != 0; ++e) {
-      if ((own.eights >> e & 1) == 0) continue;
+    // Of nodes the rows from the first on that meets them, of references the lanes that meet their box.
+    unsigned undecided = boxes.slots() & siblings, to_visit = 0, met_by[boxes_per_node];
+    std::uint8_t lanes[boxes_per_node][rows] = {};
+    for (int e = 0; e < rows && (undecided | with_references) != 0; ++e) {
+      if ((own.rows >> e & 1) == 0) continue;
       const auto meets = meeting(node, planes, e);
       each_bit(undecided, [&](int slot) {
         if (meets(slot) == 0) return;
         undecided &= ~(1U << slot);
         to_visit |= 1U << slot;
-        met_by[slot] = own.eights >> e << e;
+        met_by[slot] = own.rows >> e << e;
       });
       each_bit(with_references, [&](int slot) { lanes[slot][e] = static_cast<std::uint8_t>(meets(slot)); });
     }
@@ -170,7 +177,7 @@ private:
           act(hierarchy_.references[first + i], lanes[slot]);
       });
     };
-    if constexpr (tests_eight_triangles<M, Stored>)
+    if constexpr (tests_triangles_in_lanes<M, Stored>)
       each_reference([&](PrimitiveIndex primitive, const auto&) { prefetch(scene_.triangles + primitive); });
     if (to_visit != 0) {
       // There is room, but while a mapped file changes: then results are thrown away.
@@ -178,7 +185,7 @@ private:
         height = 0;
       const int begin = height;
       alignas(32) float enter[boxes_per_node];
-      _mm256_store_ps(enter, boxes.enter);
+      boxes.enter.store(enter);
       each_bit(to_visit, [&](int slot) {
         const auto before = static_cast<std::uint32_t>(std::popcount(siblings & ((1U << slot) - 1)));
         const Ahead child{enter[slot], node.first_node + before, met_by[slot]};
@@ -190,7 +197,7 @@ private:
       prefetch(hierarchy_.nodes + ahead[height - 1].node);
     }
     each_reference([&](PrimitiveIndex primitive, const auto& of) {
-      for (int e = 0; e < eights; ++e)
+      for (int e = 0; e < rows; ++e)
         if (of[e] != 0) test(e, of[e], primitive);
     });
     if (with_references != 0) update_farthest();
@@ -198,87 +205,91 @@ private:
   }
 
   MASU_ALWAYS_INLINE void test(int e, unsigned lanes, PrimitiveIndex primitive) {
-    const EightRays& own = rays_[e];
-    if constexpr (tests_eight_triangles<M, Stored>) {
-      const WatertightRay<Floats8> ray{{own.origin.all(), own.flushed.all(), own.inverse_square.all()},
-                                       own.across1.all(),
-                                       own.across2.all()};
-      const Triangle<float>& triangle = scene_.triangles[primitive];
-      const auto corner = [&](const auto& c) { return Vec3<Floats8>{c.x, c.y, c.z} - ray.origin; };
-      Floats8 t = 0;
-      const Mask8 hits = intersect(ray, corner(triangle.a), corner(triangle.b), corner(triangle.c), t);
+    const Rays& own = rays_[e];
+    if constexpr (tests_triangles_in_lanes<M, Stored>) {
+      const WatertightRay<Number> ray{{own.origin.all(), own.flushed.all(), own.inverse_square.all()},
+                                      own.across1.all(),
+                                      own.across2.all()};
+      const Triangle<Stored>& triangle = scene_.triangles[primitive];
+      const auto corner = [&](const auto& c) { return all_of(cast<Real>(c)) - ray.origin; };
+      Number t = 0;
+      const LaneMask<Real> hits =
+          intersect(ray, corner(triangle.a), corner(triangle.b), corner(triangle.c), t);
       keep(e, hits & (own.t_min.all() < t), t, primitive);
     } else {
       NoTestCounts counts;
-      alignas(32) float t[EightRays::count] = {};
+      alignas(32) Real t[Rays::count] = {};
       unsigned hits = 0;
       each_bit(lanes, [&](int lane) {
-        const WatertightRay<float> ray = own.test_ray(static_cast<std::size_t>(lane));
+        const WatertightRay<Real> ray = own.test_ray(static_cast<std::size_t>(lane));
         if (intersect<M::kinds>(scene_, ray, primitive, own.t_min.of[lane], t[lane], counts))
           hits |= 1U << lane;
       });
-      keep(e, lanes_of(hits), Floats8::load(t), primitive);
+      keep(e, lanes_of<Real>(hits), Number::load(t), primitive);
     }
   }
 
-  MASU_ALWAYS_INLINE void keep(int e, Mask8 hits, Floats8 t, PrimitiveIndex primitive) {
+  MASU_ALWAYS_INLINE void keep(int e, LaneMask<Real> hits, Number t, PrimitiveIndex primitive) {
     if constexpr (query == Query::occlusion) {
-      t_[e] = select(hits & (t < t_[e]), -1.0F, t_[e]);
+      t_[e] = select(hits & (t < t_[e]), Real(-1), t_[e]);
     } else {
-      const __m256i number = _mm256_set1_epi32(static_cast<int>(primitive));
-      const Mask8 lower{_mm256_castsi256_ps(_mm256_cmpgt_epi32(primitive_[e], number))},
-          nearer = hits & ((t < t_[e]) | ((t == t_[e]) & lower));
+      const __m256i number = whole_in_lanes<Real>(primitive);
+      const LaneMask<Real> lower = is_greater<Real>(primitive_[e], number),
+                           nearer = hits & ((t < t_[e]) | ((t == t_[e]) & lower));
       t_[e] = select(nearer, t, t_[e]);
-      primitive_[e] = _mm256_blendv_epi8(primitive_[e], number, _mm256_castps_si256(nearer.v));
+      primitive_[e] = _mm256_blendv_epi8(primitive_[e], number, nearer.whole());
     }
   }
 
   const SceneView<Stored>& scene_;
-  const HierarchyView<float> hierarchy_;
-  const EightRays (&rays_)[eights];
-  const BoxRay entering_, leaving_; // bound()
-  Floats8 t_[eights];
-  __m256i primitive_[eights];
-  Vec3<Floats8> inverse_[eights];
-  unsigned taking_part_ = 0; // a bit for each eight
+  const HierarchyView<Real> hierarchy_;
+  const Rays (&rays_)[rows];
+  const BoxRay<Stored> entering_, leaving_; // bound()
+  Number t_[rows];
+  __m256i primitive_[rows];
+  Vec3<Number> inverse_[rows];
+  unsigned taking_part_ = 0; // a bit for each row
   float farthest_;           // of the nearest hits
 };
 
-// As trace_in_step() (eight_rays.h), by packets.
+// As trace_in_step() (ray_lanes.h), by packets.
 template <Query query, class M, class Stored, class Found>
 [[gnu::noinline]] inline std::size_t
-trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const void* rays,
+trace_packets(const SceneView<Stored>& scene, const HierarchyView<typename M::Real>& grid, const void* rays,
               const RayFormat& format, std::size_t first, std::size_t end, const Found& found) {
+  using Real = typename M::Real;
   using Walk = PacketWalk<query, M, Stored>;
-  EightRays packet[Walk::eights];
-  while (first + EightRays::count <= end) {
-    unsigned left[Walk::eights] = {};
+  using Rays = typename Walk::Rays;
+  Rays packet[Walk::rows];
+  while (first + Rays::count <= end) {
+    unsigned left[Walk::rows] = {};
     std::size_t next = first;
-    for (int e = 0; e < Walk::eights && next + EightRays::count <= end; ++e, next += EightRays::count) {
+    for (int e = 0; e < Walk::rows && next + Rays::count <= end; ++e, next += Rays::count) {
       packet[e].load(rays, format, next, scene.clip);
-      packet[e].prepare(scene.clip);
+      packet[e].prepare(cast<Real>(scene.clip));
       left[e] = packet[e].meet_bounds;
-      each_bit(left[e] ^ 0xff,
-               [&](int missed) { found(next + static_cast<std::size_t>(missed), no_listed_hit); });
+      each_bit(left[e] ^ Rays::all,
+               [&](int missed) { found(next + static_cast<std::size_t>(missed), no_listed_hit<Real>); });
     }
     // One way after the other: those that run as the first that is left does.
-    for (int e = 0; e < Walk::eights; ++e) {
+    for (int e = 0; e < Walk::rows; ++e) {
       while (left[e] != 0) {
-        const Vec3<float> way = packet[e].inverse.of(static_cast<std::size_t>(std::countr_zero(left[e])));
-        unsigned alike[Walk::eights];
-        for (int other = 0; other < Walk::eights; ++other) {
+        const Vec3<Real> way = packet[e].inverse.of(static_cast<std::size_t>(std::countr_zero(left[e])));
+        unsigned alike[Walk::rows];
+        for (int other = 0; other < Walk::rows; ++other) {
           alike[other] = 0;
           if (left[other] == 0) continue;
-          alike[other] = left[other] & ~(smallest(packet[other].inverse.all() * all_of(way)) < 0.0F).bits();
+          alike[other] =
+              left[other] & ~(smallest(packet[other].inverse.all() * all_of(way)) < Real(0)).bits();
           left[other] ^= alike[other];
         }
         Walk walk(scene, grid, packet, alike, way);
         walk.walk();
-        for (int of = 0; of < Walk::eights; ++of) {
+        for (int of = 0; of < Walk::rows; ++of) {
           each_bit(alike[of], [&](int lane) {
             const auto i = static_cast<std::size_t>(lane);
-            found(first + EightRays::count * static_cast<std::size_t>(of) + i,
-                  ListedHit{walk.hit(of, i), packet[of].skipped.of[i], packet[of].scale.of[i]});
+            found(first + Rays::count * static_cast<std::size_t>(of) + i,
+                  ListedHit<Real>{walk.hit(of, i), packet[of].skipped.of[i], packet[of].scale.of[i]});
           });
         }
       }
@@ -291,8 +302,8 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
 // Whether neighbours among a list's rays begin close to each other, no farther apart than that share of the
 // bounds, and go the same way, as camera rays do.
 [[gnu::noinline]] inline bool are_coherent(float share, const void* rays, const RayFormat& format,
-                                           std::size_t first, std::size_t end, const Box<float>& bounds) {
-  constexpr std::size_t samples = 16, apart = EightRays::count - 1;
+                                           std::size_t first, std::size_t end, const Boxf& bounds) {
+  constexpr std::size_t samples = 16, apart = 7;
   if (end - first <= apart) return true;
   const float near = largest_magnitude(bounds.max - bounds.min) * share;
   std::size_t alike = 0;
@@ -311,12 +322,12 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
 // and few of them meet the same boxes: of triangles, which in step are tested eight at a time, whichever
 // rays', only those are better off as packets that begin at one point.
 template <Query query, class M, class Stored, class Found>
-inline std::size_t trace_list(const SceneView<Stored>& scene, const HierarchyView<float>& grid,
+inline std::size_t trace_list(const SceneView<Stored>& scene, const HierarchyView<typename M::Real>& grid,
                               const void* rays, const RayFormat& format, std::size_t first, std::size_t end,
                               const Found& found) {
-  constexpr bool from_one_point = query == Query::occlusion && tests_eight_triangles<M, Stored>;
+  constexpr bool from_one_point = query == Query::occlusion && tests_triangles_in_lanes<M, Stored>;
   constexpr float share = from_one_point ? 0x1p-12F : 0x1p-5F;
-  return are_coherent(share, rays, format, first, end, scene.clip)
+  return are_coherent(share, rays, format, first, end, cast<float>(scene.clip))
              ? trace_packets<query, M>(scene, grid, rays, format, first, end, found)
              : trace_in_step<query, M>(scene, grid, rays, format, first, end, found);
 }

@@ -10,16 +10,18 @@
 
 namespace masu {
 
-// M: a Method by watertight tests in float32 arithmetic.
+// M: a Method by watertight tests.
 template <class M, class Stored>
 class PixelLists {
 public:
-  PixelLists(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const RenderRules& rules)
+  using Real = typename M::Real;
+
+  PixelLists(const SceneView<Stored>& scene, const HierarchyView<Real>& grid, const RenderRules& rules)
       : scene_(scene), grid_(grid), rules_(rules) {}
 
   void clear() { pixels_.clear(); }
   // Before follow_all(). Neighbours among the pixels should be neighbours in the picture.
-  void add(const Ray<float>& camera_ray) { pixels_.emplace_back(camera_ray); }
+  void add(const Ray<Real>& camera_ray) { pixels_.emplace_back(camera_ray); }
 
   // Until all light has come back.
   void follow_all() {
@@ -31,10 +33,10 @@ public:
       trace_nearest(going);
       trace_shadow_rays(going);
       std::size_t shadow_ray = 0, left = 0;
-      const auto occluded = [&](const Ray<float>&) { return dark_[shadow_ray++] != 0; };
+      const auto occluded = [&](const Ray<Real>&) { return dark_[shadow_ray++] != 0; };
       for (const std::size_t i : going) {
         Pixel& pixel = pixels_[i];
-        const auto arrive = [&]() -> const Arrival<float>& { return pixel.at; };
+        const auto arrive = [&]() -> const Arrival<Real>& { return pixel.at; };
         if (follow(scene_, rules_, pixel.hit, pixel.tree, pixel.first_hit, arrive, occluded, counts))
           going[left++] = i;
       }
@@ -48,24 +50,24 @@ public:
 
 private:
   struct Pixel {
-    RayTree<float> tree;
-    NearHit<WatertightRay<float>> hit{}; // of the tree's ray
-    Arrival<float> at{};                 // where it hits anything
+    RayTree<Real> tree;
+    NearHit<WatertightRay<Real>> hit{}; // of the tree's ray
+    Arrival<Real> at{};                 // where it hits anything
     HitRecord first_hit{};
 
-    explicit Pixel(const Ray<float>& camera_ray) : tree(camera_ray) {}
+    explicit Pixel(const Ray<Real>& camera_ray) : tree(camera_ray) {}
   };
 
   void trace_nearest(const std::vector<std::size_t>& going) {
     rays_.clear();
     for (const std::size_t i : going)
       rays_.push_back(unbounded_ray(pixels_[i].tree.ray.origin, pixels_[i].tree.ray.direction));
-    trace<Query::nearest_hit>([&](std::size_t k, const ListedHit& found) {
-      NearHit<WatertightRay<float>>& hit = pixels_[going[k]].hit;
-      hit.hit = no_hit();
+    trace<Query::nearest_hit>([&](std::size_t k, const ListedHit<Real>& found) {
+      NearHit<WatertightRay<Real>>& hit = pixels_[going[k]].hit;
+      hit.hit = no_hit<Real>();
       if (found.near.primitive == no_primitive) return;
-      ClippedRay<float> near{};
-      clip(rays_[k], scene_.clip, near);
+      ClippedRay<Real> near{};
+      clip(rays_[k], cast<Real>(scene_.clip), near);
       prepare(hit.ray, near.ray.origin, near.ray.direction);
       hit.hit = {found.near.t * found.scale, found.near.primitive};
       hit.skipped = near.skipped;
@@ -79,41 +81,43 @@ private:
     rays_.clear();
     if (rules_.depth == 0) return;
     NoCounts counts;
-    const auto add = [&](const Ray<float>& ray) {
+    const auto add = [&](const Ray<Real>& ray) {
       rays_.push_back(ray);
       return true;
     };
     for (const std::size_t i : going) {
       Pixel& pixel = pixels_[i];
       if (pixel.hit.hit.primitive == no_primitive) continue;
-      const Vec3f& direction = pixel.tree.ray.direction;
+      const Vec3<Real>& direction = pixel.tree.ray.direction;
       pixel.at = arrival<M>(scene_, rules_, pixel.hit, direction);
       direct_light(scene_, pixel.at, direction, add, counts);
     }
     dark_.assign(rays_.size(), 0);
-    trace<Query::occlusion>(
-        [&](std::size_t k, const ListedHit& found) { dark_[k] = found.near.primitive != no_primitive; });
+    trace<Query::occlusion>([&](std::size_t k, const ListedHit<Real>& found) {
+      dark_[k] = found.near.primitive != no_primitive;
+    });
     for (std::size_t k = 0; k < dark_.size(); ++k)
       if (!is_valid(rays_[k])) dark_[k] = is_occluded<M>(scene_, grid_, rays_[k], counts);
   }
 
-  // Calls found(k, hit) for each of rays_, and adds to them what fills up eight.
+  // Calls found(k, hit) for each of rays_, and adds to them what fills up the last lanes.
   template <Query query, class Found>
   void trace(const Found& found) {
     const std::size_t count = rays_.size();
-    rays_.resize((count + EightRays::count - 1) / EightRays::count * EightRays::count); // not valid
-    trace_list<query, M>(scene_, grid_, rays_.data(), own_format<float>, 0, rays_.size(),
-                         [&](std::size_t k, const ListedHit& hit) {
+    rays_.resize((count + RayLanes<Real>::count - 1) / RayLanes<Real>::count *
+                 RayLanes<Real>::count); // not valid
+    trace_list<query, M>(scene_, grid_, rays_.data(), own_format<Real>, 0, rays_.size(),
+                         [&](std::size_t k, const ListedHit<Real>& hit) {
                            if (k < count) found(k, hit);
                          });
     rays_.resize(count);
   }
 
   const SceneView<Stored>& scene_;
-  const HierarchyView<float>& grid_;
+  const HierarchyView<Real>& grid_;
   const RenderRules& rules_;
   std::vector<Pixel> pixels_;
-  std::vector<Ray<float>> rays_;
+  std::vector<Ray<Real>> rays_;
   std::vector<std::uint8_t> dark_; // of the shadow rays
 };
 

@@ -13,27 +13,36 @@ namespace {
 
 constexpr std::size_t rays_per_task = 4096;
 
-// Traces as many rays from `first` on as can be eight at a time; returns the first one left.
+// Traces as many rays from `first` on as can be several at a time; returns the first one left.
 template <Query query, class M, class Stored, class Structure, class C>
-std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene,
-                         [[maybe_unused]] const Structure& grid, [[maybe_unused]] const RayList& rays,
-                         [[maybe_unused]] const RayResults& results, [[maybe_unused]] ListProgress& progress,
-                         std::size_t first, [[maybe_unused]] std::size_t end) {
+std::size_t
+trace_in_lanes([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]] const Structure& grid,
+               [[maybe_unused]] const RayList& rays, [[maybe_unused]] const RayResults& results,
+               [[maybe_unused]] ListProgress& progress, std::size_t first, [[maybe_unused]] std::size_t end) {
 #ifdef MASU_HOST_AVX2
-  if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted &&
-                !is_any_structure<Structure>) {
-    const auto found = [&](std::size_t i, const ListedHit& listed) __attribute__((always_inline)) {
+  using Real = typename M::Real;
+  if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<Real>> && !C::is_counted &&
+                (!is_any_structure<Structure> || std::is_same_v<Stored, double>)) {
+    const auto found = [&](std::size_t i, const ListedHit<Real>& listed) __attribute__((always_inline)) {
       progress.done(i);
       const Hit<float> hit = reported(listed);
       write_hit<query>(results, i, hit);
       if (query != Query::nearest_hit || (hit.primitive == no_primitive && !results.has_attributes())) return;
-      if (!results.has_attributes() && !may_be_rounded<float>(rays.format)) return;
-      const ListedRay<float> ray = listed_ray<float>(rays.rays, rays.format, i, scene.clip);
+      if (!results.has_attributes() && !may_be_rounded<Real>(rays.format)) return;
+      const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
       add_skipped(ray.skipped, results, i, 1);
     };
-    if constexpr (std::is_same_v<Structure, HierarchyView<float>>)
-      return trace_list<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
+    const auto by_list = [&]<class Tests>(Tests, const HierarchyView<Real>& hierarchy) {
+      return trace_list<query, Tests>(scene, hierarchy, rays.rays, rays.format, first, end, found);
+    };
+    if constexpr (is_any_structure<Structure>) { // no code is compiled for its structure and kinds alone
+      if (grid.form != StructureForm::hierarchy) return first;
+      return scene.primitive_count() == scene.triangle_count
+                 ? by_list(Method<typename M::TestRay, with_triangles>{}, grid.hierarchy)
+                 : by_list(M{}, grid.hierarchy);
+    } else if constexpr (std::is_same_v<Structure, HierarchyView<Real>>)
+      return by_list(M{}, grid);
     else
       return trace_in_turn<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
   }
@@ -51,8 +60,8 @@ void trace(const SceneView<Stored>& scene, const Structure& grid, const RayList&
   tbb::combinable<Counts> totals;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task), [&](const auto& range) {
     C counts;
-    for (std::size_t i = trace_eights<query, M, Stored, Structure, C>(scene, grid, rays, results, progress,
-                                                                      range.begin(), range.end());
+    for (std::size_t i = trace_in_lanes<query, M, Stored, Structure, C>(scene, grid, rays, results, progress,
+                                                                        range.begin(), range.end());
          i != range.end(); ++i) {
       progress.done(i);
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);

@@ -88,7 +88,8 @@ void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Str
 
 #ifdef MASU_HOST_AVX2
 template <class M, class Stored>
-void render_by_lists(const Pixels<float, Stored>& pixels, const HierarchyView<float>& grid) {
+void render_by_lists(const Pixels<typename M::Real, Stored>& pixels,
+                     const HierarchyView<typename M::Real>& grid) {
   tbb::enumerable_thread_specific<PixelLists<M, Stored>> all_lists(
       [&] { return PixelLists<M, Stored>(pixels.scene, grid, pixels.request.rules); });
   for_each_tile(pixels.request, pixels.frame, [&](const Tile& tile) {
@@ -111,8 +112,7 @@ void render(const SceneView<Stored>& scene, const Structure& grid, const FrameRe
   const Pixels<typename M::Real, Stored> pixels{scene, request, frame};
 #ifdef MASU_HOST_AVX2
   // Spheres and cones are tested one at a time either way, and rings' pictures would take 5 % longer.
-  if constexpr (tests_eight_triangles<M, Stored> && std::is_same_v<Structure, HierarchyView<float>> &&
-                !C::is_counted) {
+  if constexpr (tests_triangles_in_lanes<M, Stored> && is_hierarchy<Structure> && !C::is_counted) {
     render_by_lists<M>(pixels, grid);
   } else
 #endif

@@ -1,5 +1,6 @@
-// Rays made ready eight at a time, that walk one after the other, as packets or in step, and whose triangles
-// are tested eight at a time, give the bits that one ray gives that tries one primitive after the other.
+// Rays made ready several at a time, eight in float32 and four in float64, that walk one after the other, as
+// packets or in step, and whose triangles are tested as many at a time, give the bits that one ray gives that
+// tries one primitive after the other.
 #include "libscene/base/portable.h"
 
 #ifdef MASU_HOST_AVX2
@@ -24,14 +25,16 @@ using RaysByEight = RandomTest;
 #ifdef MASU_HOST_AVX2
 
 // As callers may store it: of any length, and sometimes not valid.
-Ray<float> any_ray(Chance& chance, Ray<float> ray) {
-  if (chance.one_in(3)) ray.direction = ray.direction * static_cast<float>(chance.power_of_two(-60, 60));
-  if (chance.one_in(6)) ray.t_min = static_cast<float>(chance.power_of_two(-30, 10) * chance.sign());
-  if (chance.one_in(6)) ray.t_max = static_cast<float>(chance.power_of_two(-30, 30));
+template <class Real>
+Ray<Real> any_ray(Chance& chance, Ray<Real> ray) {
+  if (chance.one_in(3)) ray.direction = ray.direction * static_cast<Real>(chance.power_of_two(-60, 60));
+  if (chance.one_in(6)) ray.t_min = static_cast<Real>(chance.power_of_two(-30, 10) * chance.sign());
+  if (chance.one_in(6)) ray.t_max = static_cast<Real>(chance.power_of_two(-30, 30));
+  if (chance.one_in(6)) ray.t_max = static_cast<Real>(INFINITY);
   if (!chance.one_in(12)) return ray;
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  const auto odd = static_cast<float>(chance.one_of({0.0, 1e20, -1e20, static_cast<double>(INFINITY), 1.0}));
-  const float value = chance.one_in(3) ? nan : odd;
+  constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+  const auto odd = static_cast<Real>(chance.one_of({0.0, 1e20, -1e20, static_cast<double>(INFINITY), 1.0}));
+  const Real value = chance.one_in(3) ? nan : odd;
   switch (chance.whole(0, 4)) {
   case 0:
     ray.origin.set(chance.whole(0, 2), value);
@@ -51,32 +54,64 @@ Ray<float> any_ray(Chance& chance, Ray<float> ray) {
   return ray;
 }
 
-template <Query query, class M>
-void compare(const TestScene<float>& scene, const SceneView<float>& view, const Structure& grid,
-             const std::vector<Ray<float>>& rays, std::size_t first, std::int64_t& hits) {
-  const auto check = [&](std::size_t i, const Hit<float>& found) {
+// The same primitives in an arithmetic's numbers.
+template <class Real, class Stored>
+TestScene<Real> in_arithmetic(const TestScene<Stored>& scene) {
+  if constexpr (std::is_same_v<Real, Stored>) {
+    return scene;
+  } else {
+    TestScene<double> wide;
+    const auto widen = [](const auto& from, auto& to) {
+      for (const auto& primitive : from)
+        to.push_back(widened(primitive));
+    };
+    widen(scene.triangles, wide.triangles);
+    widen(scene.spheres, wide.spheres);
+    widen(scene.cones, wide.cones);
+    return wide;
+  }
+}
+
+// In lengths of the direction, with all digits.
+template <class M, class Stored, class Real>
+Hit<Real> hit_alone(const SceneView<Stored>& view, Ray<Real> ray) {
+  const Real scale = scale_direction(ray);
+  NoCounts counts;
+  const Hit<Real> hit = nearest_hit<M>(view, NoStructure{}, ray, counts);
+  return hit.primitive == no_primitive ? no_hit<Real>() : Hit<Real>{hit.t * scale, hit.primitive};
+}
+
+template <Query query, class M, class Stored, class Real>
+void compare(const TestScene<Stored>& scene, const SceneView<Stored>& view, const Structure& grid,
+             const std::vector<Ray<Real>>& rays, std::size_t first, std::int64_t& hits) {
+  const auto check = [&](std::size_t i, const ListedHit<Real>& listed) {
+    const Ray<Real>& ray = rays.at(i);
     NoCounts counts;
-    const Hit<float> expected = trace_listed<query, M>(view, NoStructure{}, rays.at(i), counts);
-    hits += expected.primitive != no_primitive;
-    const Ray<float>& ray = rays[i];
+    const Hit<float> short_hit = reported(listed),
+                     expected_short = trace_listed<query, M>(view, NoStructure{}, ray, counts);
+    hits += short_hit.primitive != no_primitive;
+    const Hit<Real> expected = hit_alone<M>(view, ray),
+                    found{(listed.near.t + listed.skipped) * listed.scale, listed.near.primitive};
     EXPECT_TRUE(found.primitive == no_primitive || query == Query::occlusion ||
                 (ray.t_min < found.t && found.t < ray.t_max))
         << described(found);
-    EXPECT_TRUE(found.primitive == expected.primitive &&
-                (query == Query::occlusion || same_bits(found.t, expected.t)))
+    EXPECT_TRUE(short_hit.primitive == expected_short.primitive &&
+                (query == Query::occlusion ||
+                 (found.primitive == expected.primitive && same_bits(found.t, expected.t) &&
+                  same_bits(short_hit.t, expected_short.t))))
         << described(ray.origin, ray.direction) << " t_min " << described(ray.t_min) << " t_max "
         << described(ray.t_max) << ": " << described(found) << ", expected " << described(expected) << '\n'
         << described(scene);
   };
-  const auto hierarchy = hierarchy_view_of<float>(grid);
+  const auto hierarchy = hierarchy_view_of<Real>(grid);
   const auto trace_all = [&](const auto& trace) {
     std::vector<int> times(rays.size());
-    const std::size_t end = trace(view, hierarchy, rays.data(), own_format<float>, first, rays.size(),
-                                  [&](std::size_t i, const ListedHit& found) {
+    const std::size_t end = trace(view, hierarchy, rays.data(), own_format<Real>, first, rays.size(),
+                                  [&](std::size_t i, const ListedHit<Real>& found) {
                                     ++times.at(i);
-                                    check(i, reported(found));
+                                    check(i, found);
                                   });
-    EXPECT_LT(rays.size() - end, EightRays::count);
+    EXPECT_LT(rays.size() - end, RayLanes<Real>::count);
     for (std::size_t i = 0; i < rays.size(); ++i)
       EXPECT_EQ(times[i], i >= first && i < end ? 1 : 0);
   };
@@ -86,42 +121,42 @@ void compare(const TestScene<float>& scene, const SceneView<float>& view, const 
 }
 
 // Returns how many rays hit something.
-template <unsigned kinds>
+template <class Real, class Stored, unsigned kinds>
 std::int64_t compare_scenes(std::int64_t scenes, Chance& chance) {
-  using M = Method<WatertightRay<float>, kinds>;
+  using M = Method<WatertightRay<Real>, kinds>;
   std::int64_t hits = 0;
   for (std::int64_t s = scenes; s > 0 && !testing::Test::HasFailure(); --s) {
-    TestScene<float> scene = SceneMaker<float>(chance, chance.power_of_two(-10, 20)).scene();
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
     if constexpr (kinds == with_triangles) {
       scene.spheres.clear();
       scene.cones.clear();
     }
     if (scene.count() == 0) continue;
     const Structure grid = hierarchy_of(scene);
-    const SceneView<float> view = scene.view();
+    const SceneView<Stored> view = scene.view();
     const Boxd bounds = scene.bounds();
-    RayMaker<float> maker(chance, scene, bounds, grid);
+    const auto aimed_at = in_arithmetic<Real>(scene);
+    RayMaker<Real> maker(chance, aimed_at, bounds, grid);
     // As many as take each other's places, or too few for that.
-    std::vector<Ray<float>> rays(static_cast<std::size_t>(chance.one_in(2) ? chance.whole(0, 40) : 240));
+    std::vector<Ray<Real>> rays(static_cast<std::size_t>(chance.one_in(2) ? chance.whole(0, 40) : 240));
     const bool alike = chance.one_in(2); // but for those that aren't valid
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      Ray<float> ray = maker.ray();
+      Ray<Real> ray = maker.ray();
       if (alike && i % 32 != 0) {
-        const Ray<float>& other = rays[i - 1];
-        const auto moved = [&](const Vec3f& from, const Vec3f& to) {
-          return fma(to - from, static_cast<float>(chance.power_of_two(-20, -4)), from);
+        const Ray<Real>& other = rays[i - 1];
+        const auto moved = [&](const Vec3<Real>& from, const Vec3<Real>& to) {
+          return fma(to - from, static_cast<Real>(chance.power_of_two(-20, -4)), from);
         };
         ray = {moved(other.origin, ray.origin), other.t_min, moved(other.direction, ray.direction),
                other.t_max};
       }
       rays[i] = alike && !chance.one_in(40) ? ray : any_ray(chance, ray);
     }
-    for (Ray<float>& ray : rays) { // limits at hits
+    for (Ray<Real>& ray : rays) { // limits at hits
       if (!chance.one_in(4)) continue;
-      NoCounts counts;
-      const Hit<float> hit = trace_listed<Query::nearest_hit, M>(view, NoStructure{}, ray, counts);
+      const Hit<Real> hit = hit_alone<M>(view, ray);
       if (hit.primitive == no_primitive) continue;
-      const float t = chance.one_in(2) ? hit.t : chance.one_in(2) ? next_above(hit.t) : next_below(hit.t);
+      const Real t = chance.one_in(2) ? hit.t : chance.one_in(2) ? next_above(hit.t) : next_below(hit.t);
       (chance.one_in(2) ? ray.t_min : ray.t_max) = t;
     }
     const auto first = std::min(rays.size(), static_cast<std::size_t>(chance.whole(0, 9)));
@@ -132,49 +167,57 @@ std::int64_t compare_scenes(std::int64_t scenes, Chance& chance) {
 }
 
 TEST_F(RaysByEight, HitTheTrianglesThatOneRayHits) {
-  EXPECT_GT(compare_scenes<with_triangles>(cases(2000), chance_), cases(40'000));
+  EXPECT_GT((compare_scenes<float, float, with_triangles>(cases(2000), chance_)), cases(40'000));
 }
-
 TEST_F(RaysByEight, HitThePrimitivesOfAnyKindThatOneRayHits) {
-  EXPECT_GT(compare_scenes<with_all_kinds>(cases(1000), chance_), cases(20'000));
+  EXPECT_GT((compare_scenes<float, float, with_all_kinds>(cases(1000), chance_)), cases(20'000));
+}
+TEST_F(RaysByEight, HitInFloat64TheTrianglesThatOneRayHits) {
+  EXPECT_GT((compare_scenes<double, float, with_triangles>(cases(1000), chance_)), cases(20'000));
+  EXPECT_GT((compare_scenes<double, double, with_triangles>(cases(1000), chance_)), cases(20'000));
+}
+TEST_F(RaysByEight, HitInFloat64ThePrimitivesOfAnyKindThatOneRayHits) {
+  EXPECT_GT((compare_scenes<double, float, with_all_kinds>(cases(500), chance_)), cases(10'000));
+  EXPECT_GT((compare_scenes<double, double, with_all_kinds>(cases(500), chance_)), cases(10'000));
 }
 
 // Mirrors and glass in the light of two lamps, some of which are inside of something or very far away; and
 // camera rays that are alike, or not, or begin where no ray of a list may.
-TEST_F(RaysByEight, ShowOfEachPixelWhatItSeesAlone) {
-  using M = Method<WatertightRay<float>, with_triangles>;
+template <class Real>
+void compare_pixels(std::int64_t scenes, Chance& chance) {
+  using M = Method<WatertightRay<Real>, with_triangles>;
   std::int64_t hits = 0;
-  for (std::int64_t s = cases(300); s > 0 && !HasFailure(); --s) {
-    TestScene<float> scene = SceneMaker<float>(chance_, chance_.power_of_two(-10, 20)).scene();
+  for (std::int64_t s = scenes; s > 0 && !testing::Test::HasFailure(); --s) {
+    TestScene<float> scene = SceneMaker<float>(chance, chance.power_of_two(-10, 20)).scene();
     scene.spheres.clear();
     scene.cones.clear();
     if (scene.count() == 0) continue;
-    const auto share = [&] { return static_cast<float>(chance_.uniform(0, 1)); };
-    scene.material = {{share(), share(), share()},
-                      share(),
-                      chance_.one_in(4) ? 0 : share(),
-                      8 * share(),
-                      chance_.one_in(2) ? 0 : 0.5F * share(),
-                      1 + share()};
+    const auto share = [&] { return static_cast<float>(chance.uniform(0, 1)); };
+    scene.material = {{share(), share(), share()},           share(),
+                      chance.one_in(4) ? 0 : share(),        8 * share(),
+                      chance.one_in(2) ? 0 : 0.5F * share(), 1 + share()};
     const Boxd bounds = scene.bounds();
     const Structure grid = hierarchy_of(scene);
-    RayMaker<float> maker(chance_, scene, bounds, grid);
+    const auto aimed_at = in_arithmetic<Real>(scene);
+    RayMaker<Real> maker(chance, aimed_at, bounds, grid);
     Light<float> lights[2];
     for (Light<float>& light : lights)
-      light = {maker.ray().origin * (chance_.one_in(8) ? 1e5F : 1.0F), {share(), share(), share()}};
+      light = {cast<float>(maker.ray().origin) * (chance.one_in(8) ? 1e5F : 1.0F),
+               {share(), share(), share()}};
     SceneView<float> view = scene.view();
     view.lights = lights;
     view.light_count = 2;
     view.background = {share(), share(), share()};
     view.ambient = share();
-    const RenderRules rules{chance_.whole(0, 6), chance_.one_in(3), HitName::primitive};
-    const auto hierarchy = hierarchy_view_of<float>(grid);
+    const RenderRules rules{chance.whole(0, 6), chance.one_in(3), HitName::primitive};
+    const auto hierarchy = hierarchy_view_of<Real>(grid);
     PixelLists<M, float> pixels(view, hierarchy, rules);
-    std::vector<Ray<float>> rays(static_cast<std::size_t>(chance_.whole(1, 200)));
+    std::vector<Ray<Real>> rays(static_cast<std::size_t>(chance.whole(1, 200)));
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      Ray<float> ray = maker.ray();
+      Ray<Real> ray = maker.ray();
       if (i % 40 != 0) ray.origin = rays[i - 1].origin;
-      if (chance_.one_in(50)) ray.origin = ray.origin * 1e20F;
+      if (chance.one_in(50))
+        ray.origin = ray.origin * static_cast<Real>(sizeof(Real) == sizeof(float) ? 1e20 : 1e110);
       rays[i] = unbounded_ray(ray.origin, normalized(ray.direction));
       pixels.add(rays[i]);
     }
@@ -194,7 +237,13 @@ TEST_F(RaysByEight, ShowOfEachPixelWhatItSeesAlone) {
             << described(scene);
     }
   }
-  EXPECT_GT(hits, cases(2'000));
+  EXPECT_GT(hits, scenes * 6);
+}
+TEST_F(RaysByEight, ShowOfEachPixelWhatItSeesAlone) {
+  compare_pixels<float>(cases(300), chance_);
+}
+TEST_F(RaysByEight, ShowOfEachPixelInFloat64WhatItSeesAlone) {
+  compare_pixels<double>(cases(300), chance_);
 }
 
 TEST_F(RaysByEight, AreCoherentWhereNeighboursAreAlike) {
