@@ -4,6 +4,7 @@
 #include "renderer/image/jpeg_file.h"
 #include "tools/common/progress.h"
 #include "tools/common/version.h"
+#include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/render/channel_files.h"
 #include "tools/render/frame_options.h"
@@ -39,11 +40,6 @@ ImageFormat format_of(const Settings& settings) {
   return image_format(settings.output);
 }
 
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& more) {
-  first.insert(first.end(), more.begin(), more.end());
-  return first;
-}
-
 bool writes_jpeg(const Settings& settings) {
   return !settings.output.empty() && !settings.no_picture && format_of(settings) == ImageFormat::jpeg;
 }
@@ -58,7 +54,7 @@ bool wants_picture(const Settings& settings) {
          settings.tracing.has_report();
 }
 
-void check(const Settings& settings, const Sharing& sharing) {
+void check(const Settings& settings, const Ranks& ranks) {
   const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
   settings.tracing.check("gridrender");
   if (!settings.channels.empty()) {
@@ -80,8 +76,7 @@ void check(const Settings& settings, const Sharing& sharing) {
   if (settings.quality && !writes_jpeg(settings)) fail("--quality", "is for pictures in JPEG");
   if (writes_jpeg(settings) && !has_libjpeg())
     fail("--format", "JPEG needs libjpeg-turbo, which wasn't found at build: write a PNG");
-  if (sharing.ranks.count() > 1 && settings.views == "-")
-    fail("--views", "must name a file, for several ranks");
+  if (ranks.count() > 1 && settings.views == "-") fail("--views", "must name a file, for several ranks");
   const TracingOptions& tracing = settings.tracing;
   check_files({tracing.scene, tracing.grid, settings.views},
               {settings.output, settings.hits, tracing.stats, tracing.times});
@@ -118,22 +113,18 @@ void check_channel_files(const Settings& settings, const std::vector<std::string
 }
 
 std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View>& views,
-                                const Sharing& sharing) {
+                                const Ranks& ranks) {
   const TracingOptions& tracing = settings.tracing;
   const auto pictures = file_names(settings.output, views), hits = file_names(settings.hits, views);
   check_channel_files(settings, pictures);
   std::vector<ViewFiles> files;
-  std::unordered_set<std::string> names; // of all views, with those beside them
   for (std::size_t i = 0; i < views.size(); ++i) {
     files.push_back({settings.no_picture ? "" : pictures[i], hits[i]});
-    const std::vector<std::string> beside = files_beside({files[i].picture, files[i].hits}, sharing);
     check_files({tracing.scene, tracing.grid, settings.views},
-                joined({pictures[i], hits[i], tracing.stats, tracing.times}, beside));
-    if (beside.empty()) continue;
-    for (const std::string& name : joined({files[i].picture, files[i].hits}, beside)) {
-      if (!name.empty() && !names.insert(name).second)
-        throw Error(ErrorCode::usage, name, "would be written for two views: give them other names");
-    }
+                {pictures[i], hits[i], tracing.stats, tracing.times});
+    if (ranks.count() == 1 && !tracing.resume) continue;
+    for (const std::string& name : {files[i].picture, files[i].hits})
+      if (!name.empty()) check_is_file(name);
   }
   return files;
 }
@@ -152,14 +143,14 @@ PictureTexts picture_texts(const Settings& settings, const SceneFile& scene) {
   return {{"Software", program_name()}, {"Source", "scene " + to_hex(scene.hash())}, {"Options", options}};
 }
 
-ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, const Sharing& sharing) {
+ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, const Ranks& ranks) {
   const SceneFile& scene = opened.scene();
   ViewsRequest request;
   request.frame = settings.frame.frame(settings.tracing.tracing());
   request.frame.rules.hit_name = settings.hit_name;
   request.frame.hits = !settings.hits.empty();
   request.views = views_of(settings, scene);
-  request.files = files_of(settings, request.views, sharing);
+  request.files = files_of(settings, request.views, ranks);
   request.hit_fields = hit_fields(usual_fields(settings.hit_name));
   if (!settings.crop.empty()) {
     const Crop crop = parse_crop("--crop", settings.crop);
@@ -171,19 +162,16 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
     request.image = {format_of(settings), settings.frame.sampling, settings.srgb, texts,
                      quality_of(settings)};
   request.repeat = settings.tracing.repeat;
-  request.description =
-      run_description(opened, request.frame.tracing,
-                      fmt::format("{} names {} format {}", texts.back().second,
-                                  static_cast<int>(settings.hit_name), static_cast<int>(settings.format)));
+  request.resume = resume_of(settings.tracing, opened);
   return request;
 }
 
 // --- The tool's run ---------------------------------------------------------------------------------------
 
-TracingReport render_pictures(const ResidentTracer& tracer, const ViewsRequest& request,
-                              const Sharing& sharing, bool quiet) {
+TracingReport render_pictures(const ResidentTracer& tracer, const ViewsRequest& request, Ranks& ranks,
+                              bool quiet) {
   Progress progress("rendering", quiet);
-  return render_views(tracer, request, sharing, progress.callback());
+  return render_views(tracer, request, ranks, progress.callback());
 }
 
 TracingReport render_channels(const ResidentTracer& tracer, const Settings& settings,
@@ -215,13 +203,12 @@ void refuse_useless(const CommandLine& command, const Settings& settings) {
 }
 
 void render(const Settings& settings, Ranks& ranks) {
-  const Sharing sharing{ranks, settings.tracing.resume};
-  check(settings, sharing);
+  check(settings, ranks);
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
   const OpenedScene opened("gridrender", settings.tracing, settings.tracing.devices.gpus(ranks));
-  const ViewsRequest views = views_request(settings, opened, sharing);
+  const ViewsRequest views = views_request(settings, opened, ranks);
   TracingReport report;
-  if (wants_picture(settings)) report = render_pictures(opened.tracer(), views, sharing, quiet);
+  if (wants_picture(settings)) report = render_pictures(opened.tracer(), views, ranks, quiet);
   if (ranks.rank() > 0) return;
   if (!settings.channels.empty()) {
     const TracingReport channels = render_channels(opened.tracer(), settings, views);

@@ -6,6 +6,7 @@
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
+#include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/lists/ray_list.h"
 #include "tools/render/frame_options.h"
@@ -101,7 +102,7 @@ void check_fields(const Settings& settings) {
   }
 }
 
-void check(const Settings& settings, const Sharing& sharing) {
+void check(const Settings& settings, const Ranks& ranks) {
   const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
   const TracingOptions& tracing = settings.tracing;
   tracing.check("gridtrace");
@@ -117,24 +118,15 @@ void check(const Settings& settings, const Sharing& sharing) {
     fail("--stats", "is for nearest hits and --any-hit alone, of both faces: take --times");
   if (tracing.resume && settings.hits.empty()) fail("--resume", "needs -o: nothing else is kept");
   check_hits_name("-o", settings.hits);
-  if (sharing.in_parts() && settings.rays == "-") fail("RAYS", "must name a file, for ranks and --resume");
-  std::vector<std::string> outputs = files_beside({settings.hits}, sharing);
-  outputs.insert(outputs.end(), {settings.hits, tracing.stats, tracing.times});
-  check_files({tracing.scene, tracing.grid, settings.rays, settings.excluded}, outputs);
+  if (ranks.count() > 1 || tracing.resume) {
+    if (settings.rays == "-") fail("RAYS", "must name a file, for ranks and --resume");
+    if (!settings.hits.empty()) check_is_file(settings.hits);
+  }
+  check_files({tracing.scene, tracing.grid, settings.rays, settings.excluded},
+              {settings.hits, tracing.stats, tracing.times});
 }
 
 // --- A list -----------------------------------------------------------------------------------------------
-
-std::string description_of(const Settings& settings, const OpenedScene& opened, const TracingRules& rules) {
-  return run_description(
-      opened, rules,
-      fmt::format("--precision {}{} query {} {} faces {} objects {} --write {} names {} rays {} {}{}",
-                  name_of(rules.precision), rules.stop == StopRule::first_cell ? " --first-cell-hit" : "",
-                  static_cast<int>(settings.query()), settings.all_hits, static_cast<int>(settings.faces),
-                  settings.objects, written_fields(settings), static_cast<int>(settings.hit_name),
-                  settings.ray_numbers, static_cast<int>(settings.ray_store),
-                  settings.relative ? " relative" : ""));
-}
 
 // Masks of a list such as 0,3,7-9: 1 of the objects in it, 0 of the others.
 std::vector<std::uint32_t> object_masks(const std::string& list, std::uint64_t objects) {
@@ -156,8 +148,7 @@ std::vector<std::uint32_t> object_masks(const std::string& list, std::uint64_t o
   return masks;
 }
 
-void trace_list(const Settings& settings, const Sharing& sharing) {
-  Ranks& ranks = sharing.ranks;
+void trace_list(const Settings& settings, Ranks& ranks) {
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
   const OpenedScene opened("gridtrace", settings.tracing, settings.tracing.devices.gpus(ranks));
   RayListJob job{settings.rays, settings.hits, ray_format(settings)};
@@ -170,10 +161,10 @@ void trace_list(const Settings& settings, const Sharing& sharing) {
   if (!settings.objects.empty())
     job.object_masks = object_masks(settings.objects, opened.scene().counts().objects);
   job.repeat = settings.tracing.repeat;
-  job.description = description_of(settings, opened, job.request.tracing);
+  job.resume = resume_of(settings.tracing, opened);
   const TracingReport report = [&] {
     Progress progress("tracing", quiet);
-    return trace_ray_list(opened.tracer(), job, sharing, progress.callback());
+    return trace_ray_list(opened.tracer(), job, ranks, progress.callback());
   }();
   if (ranks.rank() > 0) return;
   const TaskTotals& totals = report.totals;
@@ -355,9 +346,8 @@ int main(int argc, char** argv) {
           std::swap(settings.rays, tracing.grid); // SCENE RAYS
         const auto limit = tracing.limit_threads(ranks);
         refuse_useless(command, settings);
-        const Sharing sharing{ranks, tracing.resume};
-        check(settings, sharing);
-        if (!settings.is_walk()) return trace_list(settings, sharing);
+        check(settings, ranks);
+        if (!settings.is_walk()) return trace_list(settings, ranks);
         if (ranks.rank() == 0) print_walk(settings);
       });
 }

@@ -156,6 +156,11 @@ void OutputFile::write_at(std::uint64_t offset, std::span<const std::uint8_t> by
   if (!write_all_at(fileno(stream_), offset, bytes)) fail("can't be written");
 }
 
+std::string OutputFile::temporary_path() const {
+  if (!temporary_) throw Error(ErrorCode::output, path_, "isn't a regular file: name a file");
+  return (std::filesystem::path(followed(path_)).parent_path() / temporary_->name()).string();
+}
+
 void OutputFile::rewind() {
   if (fseeko(stream_, 0, SEEK_SET) != 0) fail("can't be written from its start");
 }

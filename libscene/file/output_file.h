@@ -39,6 +39,8 @@ public:
   void rewind();
   // Whether the file has places for write_at(): a regular file that isn't written directly.
   bool has_places() const { return folder_ >= 0; }
+  // Where the file is until it is committed. Throws Error(output) where it is unnamed or written directly.
+  std::string temporary_path() const;
   // At an offset, whatever else is written, by any thread.
   void write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes);
   void commit();

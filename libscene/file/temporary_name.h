@@ -27,6 +27,7 @@ public:
   bool link(int file);
   // Renames the file to its final name, replacing any file there. Returns false and sets errno when it fails.
   bool rename_to(const std::string& name);
+  const std::string& name() const { return name_; } // empty: none
 
 private:
   // Tries names until act(name), which sets errno, is true or fails for another reason than EEXIST.
@@ -36,7 +37,7 @@ private:
 
   int folder_;
   std::size_t hash_;
-  std::string name_; // empty: none
+  std::string name_;
 };
 
 // Removes all temporary names, as the process ends, but for one that another thread is making just then.

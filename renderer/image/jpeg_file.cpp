@@ -67,17 +67,18 @@ std::int32_t jpeg_band_rows(std::int32_t width) {
   return block * std::max(blocks / blocks_of(width), std::min(rows, most_blocks / blocks_of(width)));
 }
 
-JpegWriter::JpegWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PictureTexts& texts)
-    : file_(file), width_(width), height_(height) {
+std::vector<std::uint8_t> jpeg_comment(const PictureTexts& texts) {
   constexpr std::size_t longest = (1 << 16) - 3;
   std::string lines;
   for (const auto& [keyword, text] : texts)
     lines += fmt::format("{}: {}\n", keyword, text);
-  if (!lines.empty()) {
-    lines.resize(std::min(lines.size() - 1, longest)); // without the last line's end
-    comment_ = segment(comment, {reinterpret_cast<const std::uint8_t*>(lines.data()), lines.size()});
-  }
+  if (lines.empty()) return {};
+  lines.resize(std::min(lines.size() - 1, longest)); // without the last line's end
+  return segment(comment, {reinterpret_cast<const std::uint8_t*>(lines.data()), lines.size()});
 }
+
+JpegWriter::JpegWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PictureTexts& texts)
+    : file_(file), width_(width), height_(height), comment_(jpeg_comment(texts)) {}
 
 void JpegWriter::write(std::span<const std::uint8_t> band) {
   Picture picture = parsed(band);

@@ -28,6 +28,9 @@ bool has_libjpeg();
 // may be lower. Bands are independent: restart markers separate them, so the decoder begins anew with each.
 std::int32_t jpeg_band_rows(std::int32_t width);
 
+// The segment of a file that has its texts.
+std::vector<std::uint8_t> jpeg_comment(const PictureTexts& texts);
+
 // Makes a file of bands' pictures, one after the other.
 class JpegWriter {
 public:

@@ -106,8 +106,7 @@ PngRows encoded_rows(std::span<const std::uint8_t> rgb, std::int32_t width, bool
   return encoded;
 }
 
-PngWriter::PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PictureTexts& texts)
-    : file_(file), row_bytes_(row_bytes_of(width) + 1), rows_left_(height) {
+std::vector<std::uint8_t> png_head(std::int32_t width, std::int32_t height, const PictureTexts& texts) {
   std::vector<std::uint8_t> bytes{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
   put(header, static_cast<std::uint32_t>(width));
   put(header, static_cast<std::uint32_t>(height));
@@ -121,7 +120,12 @@ PngWriter::PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, 
     put_chunk(bytes, "tEXt", data);
   }
   put_chunk(bytes, "IDAT", std::array<std::uint8_t, 2>{0x78, 0x5e}); // zlib's header: a window of 32 KiB
-  file_.write(bytes);
+  return bytes;
+}
+
+PngWriter::PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PictureTexts& texts)
+    : file_(file), row_bytes_(row_bytes_of(width) + 1), rows_left_(height) {
+  file_.write(png_head(width, height, texts));
 }
 
 void PngWriter::write(const PngRows& rows) {

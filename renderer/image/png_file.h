@@ -29,6 +29,9 @@ struct PngRows {
 // row, else their number is a multiple of png_band_rows().
 PngRows encoded_rows(std::span<const std::uint8_t> rgb, std::int32_t width, bool last);
 
+// What a file begins with.
+std::vector<std::uint8_t> png_head(std::int32_t width, std::int32_t height, const PictureTexts& texts);
+
 // Writes encoded rows one run after the other: memory depends on the runs, not on the picture.
 class PngWriter {
 public:

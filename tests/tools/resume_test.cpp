@@ -1,12 +1,10 @@
 // --resume, gridrender-mpi and gridtrace-mpi: whoever shares a run, and however often it is killed, its files
-// are those of one undisturbed process.
-#include "libscene/file/container.h"
+// are those of one undisturbed process; and files that are there are kept.
 #include "renderer/image/jpeg_file.h"
 #include "tests/stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -17,17 +15,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <map>
 #include <random>
-#include <span>
 #include <sstream>
 #include <thread>
 
 namespace masu {
 namespace {
-
-using Files = std::map<std::string, Bytes>; // by name
 
 // A run's outputs, by their names in a folder.
 struct Job {
@@ -49,18 +42,19 @@ protected:
     }
     return job;
   }
-  // A view of several bands: these have 1048 rows each.
-  Job large(const std::string& prefix, const std::string& ending, const std::string& sampling) const {
-    return {on_cpu({"--size", "1333x2100", "--sampling", sampling, "--depth", "1", "-o",
-                    file(prefix + "." + ending), "--hits", file(prefix + ".hits")}),
+  // A view of two bands: the first one has 1048 rows, of a JPEG 1568.
+  Job large(const std::string& prefix, const std::string& ending, const std::string& sampling,
+            const std::string& size = "1333x1100") const {
+    return {on_cpu({"--size", size, "--sampling", sampling, "--depth", "1", "-o", file(prefix + "." + ending),
+                    "--hits", file(prefix + ".hits")}),
             {prefix + "." + ending, prefix + ".hits"}};
   }
-  // Two chunks and a part of one.
+  // A chunk and a part of one.
   Job list(const std::string& prefix, const std::string& ending) const {
     if (!std::filesystem::exists(file("rays"))) {
       std::mt19937 random(1);
       std::uniform_real_distribution<float> coordinate(-1, 1);
-      std::vector<float> rays(6 * ((std::size_t{2} << 20) + 5000));
+      std::vector<float> rays(6 * ((std::size_t{1} << 20) + 5000));
       for (float& number : rays)
         number = coordinate(random);
       write_records(file("rays"), rays);
@@ -91,40 +85,49 @@ protected:
                           list(prefix + "4", ".hits"),
                           list(prefix + "5", ".npy"),
                           csv_list(prefix + "6")};
-    if (has_libjpeg()) jobs.push_back(large(prefix + "7", "jpg", "corners")); // of two bands
+    if (has_libjpeg()) jobs.push_back(large(prefix + "7", "jpg", "corners", "1333x1700"));
     return jobs;
   }
 
   void expect_made(const Job& job, const Arguments& more = {}) const {
     expect_run(job.tool, joined(job.arguments, more));
   }
-  // The same files as of another job, and no others.
+  // The same files as of another job, and nothing else beside them.
   void expect_same(const Job& job, const Job& expected) const {
     EXPECT_FALSE(job.outputs.empty());
     for (std::size_t i = 0; i < job.outputs.size(); ++i)
       EXPECT_TRUE(read_bytes(file(job.outputs[i])) == read_bytes(file(expected.outputs[i])))
           << job.outputs[i];
-    for (const std::string& name : folder_.listing())
-      EXPECT_TRUE(name.find(".partial") == std::string::npos && name.find(".journal") == std::string::npos &&
-                  !name.starts_with(".masu-"))
-          << name << " was left behind";
+    EXPECT_EQ(temporary_files(), 0);
+  }
+  std::ptrdiff_t temporary_files() const {
+    return std::ranges::count_if(folder_.listing(),
+                                 [](const std::string& name) { return name.starts_with(".masu-"); });
   }
   void remove(const Job& job) const {
     for (const std::string& name : job.outputs)
       std::filesystem::remove(file(name));
   }
 
-  template <class SecondsOf, class Start, class Kill>
-  void resume_killed(int runs, std::mt19937_64& random, const SecondsOf& seconds_of_job, const Start& begin,
-                     const Kill& kill_it) const;
-
-  // Of a run in the tests' folder, which ends in the middle: it can't write its files beyond so many bytes.
-  ToolResult run_up_to(std::uint64_t bytes, const Job& job) const {
-    const std::string command =
-        fmt::format("cd '{}' && ulimit -f {} && exec \"$0\" \"$@\"", folder_.path().string(), bytes / 512);
-    return run("/bin/sh", joined({"-c", command, std::string(MASU_BIN_DIR) + "/" + job.tool},
-                                 joined(job.arguments, {"--resume", "-q", "--threads", "1"})));
+  // Of a file that is made anew, and of one that is written to, it is another one.
+  std::string state_of(const std::string& name) const {
+    struct stat status {};
+    if (stat(file(name).c_str(), &status) != 0) return "none";
+    return fmt::format("{} {}.{}", status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
   }
+  std::vector<std::string> states_of(const Job& job) const {
+    std::vector<std::string> states;
+    for (const std::string& name : job.outputs)
+      states.push_back(state_of(name));
+    return states;
+  }
+
+  // Kills runs of each job in turn, so many in all, at random moments: each file is then as a run by one
+  // process makes it, or isn't there. What is there is kept when the job is resumed. `starting`: seconds
+  // before a run begins its work.
+  template <class Start, class Kill>
+  void kill_and_resume(int runs, std::mt19937_64& random, double starting, const Start& begin,
+                       const Kill& kill_it, std::ptrdiff_t most_temporary_files) const;
 };
 
 // The processes that a process has started.
@@ -162,357 +165,166 @@ int status_of(pid_t process, int& hung) {
   return status;
 }
 
-struct Killed {
-  int runs = 0, hung = 0; // hung: of these, those that didn't end by themselves then
-
-  Killed& operator+=(const Killed& other) {
-    runs += other.runs;
-    hung += other.hung;
-    return *this;
-  }
-};
-
-// Kills a run at a random moment of its length, again and again until one ends by itself.
 template <class Start, class Kill>
-Killed run_until_whole(std::mt19937_64& random, double seconds, const Start& begin, const Kill& kill_it) {
+void SharedRuns::kill_and_resume(int runs, std::mt19937_64& random, double starting, const Start& begin,
+                                 const Kill& kill_it, std::ptrdiff_t most_temporary_files) const {
   std::uniform_real_distribution<double> moment(0, 1);
-  for (Killed killed;; ++killed.runs) {
-    const pid_t process = begin();
-    // Every other try lives longer, so that this ends.
-    std::this_thread::sleep_for(
-        std::chrono::duration<double>(seconds * moment(random) * (1 + killed.runs / 4)));
+  const std::vector<Job> expected = all("a"), resumed = all("b");
+  std::vector<double> all_seconds;
+  for (const Job& job : expected)
+    all_seconds.push_back(time_of(job.tool, job.arguments).count());
+  int killed = 0, hung = 0, kept = 0;
+  for (std::size_t i = 0; killed < cases(runs); i = (i + 1) % resumed.size(), ++killed) {
+    const Job& job = resumed[i];
+    const double seconds = starting + all_seconds[i];
+    remove(job);
+    const pid_t process = begin(job);
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds * moment(random)));
     int status = 0;
     if (waitpid(process, &status, WNOHANG) == 0) {
       kill_it(process);
-      status = status_of(process, killed.hung);
+      status_of(process, hung);
     }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return killed;
+    const std::vector<std::string> states = states_of(job);
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      if (states[k] == "none") continue;
+      EXPECT_TRUE(read_bytes(file(job.outputs[k])) == read_bytes(file(expected[i].outputs[k])))
+          << job.outputs[k];
+      ++kept;
+    }
+    EXPECT_LE(temporary_files(), most_temporary_files);
+    EXPECT_EQ(status_of(begin(job), hung), 0);
+    expect_same(job, expected[i]);
+    for (std::size_t k = 0; k < states.size(); ++k)
+      EXPECT_TRUE(states[k] == "none" || state_of(job.outputs[k]) == states[k]) << job.outputs[k];
   }
+  RecordProperty("hung", hung);
+  fmt::print("killed {} times, {} as a whole; then {} files were there\n", killed, hung, kept);
 }
 
-// Kills runs of each job in turn, so many in all; what they leave is resumed to the files of all("a").
-template <class SecondsOf, class Start, class Kill>
-void SharedRuns::resume_killed(int runs, std::mt19937_64& random, const SecondsOf& seconds_of_job,
-                               const Start& begin, const Kill& kill_it) const {
-  std::vector<double> seconds;
-  for (const Job& job : all("b"))
-    seconds.push_back(seconds_of_job(job));
-  Killed killed;
-  for (std::size_t round = 0; killed.runs < cases(runs); ++round) {
-    const std::size_t i = round % seconds.size();
-    const Job expected = all("a")[i], resumed = all("b")[i];
-    remove(resumed);
-    killed += run_until_whole(
-        random, seconds[i], [&] { return begin(resumed); }, kill_it);
-    expect_same(resumed, expected);
-  }
-  RecordProperty("killed", killed.runs);
-  RecordProperty("hung", killed.hung);
-  fmt::print("killed {} times, of which {} had to be killed as a whole\n", killed.runs, killed.hung);
-}
-
-TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
+TEST_F(SharedRuns, KilledAtAnyMomentARunLeavesWholeFilesAlone) {
   auto random = seed_.engine();
-  for (const Job& job : all("a"))
-    expect_made(job);
-  resume_killed(
-      10, random, [&](const Job& job) { return time_of(job.tool, job.arguments).count(); },
+  kill_and_resume(
+      10, random, 0,
       [](const Job& job) {
         return start(job.tool, joined(job.arguments, {"--resume", "-q"}));
       },
-      [](pid_t process) { kill(process, SIGKILL); });
+      [](pid_t process) { kill(process, SIGKILL); }, 0);
 }
 
-// What is finished isn't done again: a finished view that is changed under its journal's hash is made again,
-// an unchanged one stays the same file.
-TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
+// --- Files that are there ----------------------------------------------------------------------------------
+
+TEST_F(SharedRuns, FilesThatAreThereStayAndMissingOnesAreMade) {
   const Job expected = views("a"), resumed = views("b");
   expect_made(expected);
-  const double seconds = time_of(resumed.tool, resumed.arguments).count();
-  remove(resumed);
+  expect_made(resumed);
+  for (const char* const name : {"b03.png", "b07.hits", "b11.png", "b11.hits"})
+    std::filesystem::remove(file(name));
+  const auto kept = states_of(resumed);
   const Arguments arguments = joined(resumed.arguments, {"--resume", "--stats", file("b.json")});
-  std::vector<std::string> kept;
-  for (double length = seconds / 2; kept.size() < 4; length *= 1.5) { // until some views were finished
-    remove(resumed);
-    const pid_t process = start("gridrender", arguments);
-    std::this_thread::sleep_for(std::chrono::duration<double>(length));
-    kill(process, SIGKILL);
-    int status = 0;
-    waitpid(process, &status, 0);
-    kept.clear();
-    if (WIFEXITED(status)) {
-      length = seconds / 4;
-      continue;
-    }
-    std::ifstream journal(file("b00.png.journal.0"));
-    std::string line;
-    std::getline(journal, line);
-    while (std::getline(journal, line)) {
-      const auto json = nlohmann::json::parse(line, nullptr, false);
-      if (json.is_object()) kept.push_back(json["files"][0]["name"].get<std::string>());
-    }
-  }
-  const auto inode = [](const std::string& path) {
-    struct stat status {};
-    EXPECT_EQ(stat(path.c_str(), &status), 0) << path;
-    return status.st_ino;
-  };
-  const auto unchanged = inode(kept.at(0));
-  write_text(kept.at(1), "torn");
-  expect_run("gridrender", arguments);
-  EXPECT_EQ(inode(kept.at(0)), unchanged);
+  const ToolResult result = run("gridrender", arguments);
+  EXPECT_TRUE(succeeded(result));
+  EXPECT_NE(result.err.find("gridrender: --resume: 44 of 48 files are there and are kept\n"),
+            std::string::npos)
+      << result.err;
   expect_same(resumed, expected);
-  // Counts are those of all views.
-  expect_made(expected, {"--stats", file("a.json")});
-  const auto a = json_in("a.json"), b = json_in("b.json");
-  for (const char* const key : {"eye_rays", "eye_hits", "shadow_rays", "cells_visited", "intersection_tests"})
-    EXPECT_EQ(a[key], b[key]) << key;
+  const auto states = states_of(resumed);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    EXPECT_TRUE(kept[i] == "none" || states[i] == kept[i]) << resumed.outputs[i];
+  // Others aren't traced again.
+  auto report = json_in("b.json");
+  EXPECT_EQ(report["kept"], 44);
+  EXPECT_EQ(report["views"], 3);
+  EXPECT_EQ(report["eye_rays"], 3 * 91 * 71);
+  // Nor is anything when all are there, and the report stays.
+  const std::string json = state_of("b.json");
+  const ToolResult again = run("gridrender", arguments);
+  EXPECT_EQ(again.err, "gridrender: --resume: 48 of 48 files are there and are kept\n");
+  EXPECT_EQ(run("gridrender", joined(arguments, {"-q"})).err, "");
+  EXPECT_EQ(states_of(resumed), states);
+  EXPECT_EQ(state_of("b.json"), json);
 }
 
-// --- Journals that aren't what was written -----------------------------------------------------------------
-
-using Json = nlohmann::ordered_json;
-
-// A journal's run and lines.
-struct Journal {
-  std::string run, first;
-  std::vector<std::string> lines;
-
-  explicit Journal(const std::string& path) {
-    std::istringstream text(read_text(path));
-    std::getline(text, first);
-    run = Json::parse(first)["run"];
-    for (std::string line; std::getline(text, line);)
-      lines.push_back(line);
-  }
-  void write(const std::string& path) const {
-    write_text(path, fmt::format("{}\n{}\n", first, fmt::join(lines, "\n")));
-  }
-  // Changes a line and, as whoever knows how would, its hash.
-  template <class Change>
-  void change(std::size_t i, const Change& change) {
-    Json json = Json::parse(lines.at(i));
-    json.erase("hash");
-    change(json);
-    const std::string content = run + json.dump();
-    json["hash"] = to_hex(hash_of({reinterpret_cast<const std::uint8_t*>(content.data()), content.size()}));
-    lines[i] = json.dump();
-  }
-};
-
-// What a run that ended in the middle has left: to be made again and again.
-class Interrupted {
-public:
-  Interrupted(const TemporaryFolder& folder, const std::vector<std::string>& before) {
-    for (const std::string& name : folder.listing())
-      if (std::ranges::count(before, name) == 0) files_[folder.file(name)] = read_bytes(folder.file(name));
-  }
-  void restore() const {
-    for (const auto& [path, bytes] : files_)
-      write_bytes(path, bytes);
-  }
-
-private:
-  Files files_;
-};
-
-TEST_F(SharedRuns, WhateverAJournalSaysTheFilesAreTheSame) {
-  auto random = seed_.engine();
-  ASSERT_EQ(mkfifo(file("fifo").c_str(), 0600), 0);
-  struct Case {
-    Job expected, resumed;
-    std::uint64_t bytes; // of two tasks of three
-    std::vector<std::string> partial;
-  };
-  const Case kinds[] = {{large("a1", "png", "corners"),
-                         large("b1", "png", "corners"),
-                         22'370'000,
-                         {"b1.png.partial", "b1.hits.partial"}},
-                        {list("a2", ".npy"), list("b2", ".npy"), 42'000'000, {"b2.npy.partial"}}};
-  for (const auto& [expected, resumed, bytes, partial] : kinds) {
-    expect_made(expected);
-    const auto before = folder_.listing();
-    ASSERT_EQ(run_up_to(bytes, resumed).code, 3);
-    const Interrupted interrupted(folder_, before);
-    const std::string journal = file(resumed.outputs.front() + ".journal.0");
-    const auto expect_survived = [&](const std::string& what, const auto& damage) {
-      SCOPED_TRACE(what + ", " + resumed.outputs.front());
-      remove(resumed);
-      interrupted.restore();
-      Journal changed(journal);
-      ASSERT_EQ(changed.lines.size(), 2U);
-      damage(changed);
-      changed.write(journal);
-      expect_made(resumed, {"--resume", "-q"});
-      expect_same(resumed, expected);
-    };
-    const auto with_file = [&](const auto& change) {
-      return [&](Journal& of) { of.change(1, [&](Json& line) { change(line["files"][0]); }); };
-    };
-    const auto last = std::numeric_limits<std::uint64_t>::max();
-    expect_survived("nothing", [](Journal&) {});
-    expect_survived("another task", [](Journal& of) { of.change(1, [](Json& line) { line["task"] = 2; }); });
-    expect_survived("no files", [&](Journal& of) {
-      of.change(1, [](Json& line) { line["files"] = Json::array(); });
-      for (const std::string& name : partial)
-        std::filesystem::remove(file(name));
-    });
-    expect_survived("a byte", [&](Journal& of) {
-      std::string& line = of.lines[random() % 2];
-      char& changed = line[random() % line.size()];
-      changed = static_cast<char>(changed ^ static_cast<char>(1 + random() % 255));
-    });
-    expect_survived("an offset", with_file([&](Json& of) { of["offset"] = last - 100; }));
-    expect_survived("a size", with_file([&](Json& of) { of["bytes"] = last / 4; }));
-    expect_survived("offset and size", with_file([&](Json& of) {
-                      of["offset"] = last - (std::uint64_t{1} << 62);
-                      of["bytes"] = (std::uint64_t{1} << 62) + 5000;
-                    }));
-    expect_survived("a pipe", with_file([&](Json& of) { of["name"] = file("fifo"); }));
-    expect_survived("a damaged part", [&](Journal&) {
-      Bytes damaged = read_bytes(file(partial.front()));
-      damaged.at(damaged.size() / 20) ^= 1;
-      write_bytes(file(partial.front()), damaged);
-    });
-  }
-}
-
-TEST_F(SharedRuns, AJournalOfOtherOptionsIsIgnored) {
-  const Job expected = large("a", "png", "corners"), resumed = large("b", "png", "corners");
-  Job other = resumed;
-  other.arguments.emplace_back("--srgb");
-  expect_made(expected);
-  ASSERT_EQ(run_up_to(21'000'000, other).code, 3);
-  ASSERT_EQ(Journal(file("b.png.journal.0")).lines.size(), 1U);
-  expect_made(resumed, {"--resume"});
-  expect_same(resumed, expected);
-}
-
-// In the working folder.
-TEST_F(SharedRuns, OutputsNamedWithoutAFolderAreResumedToo) {
-  constexpr std::uint64_t everything = std::uint64_t{1} << 40;
-  const std::pair<Job, Job> jobs[] = {{large("a", "png", "corners"), large("b", "png", "corners")},
-                                      {list("a", ".npy"), list("b", ".npy")}};
-  for (auto [expected, resumed] : jobs) {
-    SCOPED_TRACE(resumed.outputs.front());
-    for (const std::string& name : resumed.outputs)
-      std::ranges::replace(resumed.arguments, file(name), name);
-    expect_made(expected);
-    ASSERT_EQ(run_up_to(21'000'000, resumed).code, 3);
-    EXPECT_TRUE(succeeded(run_up_to(everything, resumed)));
-    expect_same(resumed, expected);
-  }
-}
-
-// What is finished isn't done again: the second run only adds to the journal of the first.
-TEST_F(SharedRuns, FinishedBandsAndChunksStay) {
-  const std::pair<Job, std::uint64_t> jobs[] = {
-      {large("b1", "png", "corners"), 21'000'000},
-      {list("b2", ".hits"), 21'000'000},
-      {list("b3", ".npy"), 21'000'000},
-      {list("b4", ".csv"), 150'000'000}}; // slots of text are larger
-  for (const auto& [job, bytes] : jobs) {
+TEST_F(SharedRuns, EveryKindOfFileIsKept) {
+  for (const Job& job : all("a")) {
     SCOPED_TRACE(job.outputs.front());
-    const std::string path = file(job.outputs.front() + ".journal.0");
-    ASSERT_EQ(run_up_to(bytes, job).code, 3);
-    const Journal first(path);
-    EXPECT_EQ(first.lines.size(), 1U);
-    ASSERT_EQ(run_up_to(bytes, job).code, 3);
-    EXPECT_EQ(Journal(path).lines, first.lines);
+    expect_made(job);
+    const auto states = states_of(job);
+    expect_made(job, {"--resume"});
+    EXPECT_EQ(states_of(job), states);
   }
 }
 
-// A partial file that was renamed, before the journal was removed: where it was damaged since, all of it is
-// made again.
-TEST_F(SharedRuns, AFileThatWasFinishedIsWholeOrMadeAgain) {
-  const Job expected = list("a", ".hits"), resumed = list("b", ".hits");
-  expect_made(expected);
-  const Bytes whole = read_bytes(file("a.hits"));
-  ASSERT_EQ(run_up_to(21'000'000, resumed).code, 3); // the first of three chunks
-  const std::string path = file("b.hits.journal.0");
-  Journal journal(path);
-  ASSERT_EQ(journal.lines.size(), 1U);
-  const std::size_t chunk_bytes = std::size_t{20} << 20;
-  journal.lines.resize(3, journal.lines[0]);
-  for (std::size_t i = 0; i < 3; ++i)
-    journal.change(i, [&](Json& line) {
-      const auto part = std::span(whole)
-                            .subspan(i * chunk_bytes)
-                            .first(std::min(chunk_bytes, whole.size() - i * chunk_bytes));
-      line["task"] = i;
-      line["files"][0]["offset"] = i * chunk_bytes;
-      line["files"][0]["bytes"] = part.size();
-      line["files"][0]["hash"] = to_hex(hash_of(part));
-    });
-  std::filesystem::remove(file("b.hits.partial"));
-  for (const std::string damage : {"", "a byte", "longer", "shorter"}) {
-    SCOPED_TRACE(damage);
-    Bytes bytes = whole;
-    if (damage == "a byte") bytes[chunk_bytes + 5] ^= 1;
-    if (damage == "longer") bytes.push_back(0);
-    if (damage == "shorter") bytes.pop_back();
-    write_bytes(file("b.hits"), bytes);
-    journal.write(path);
-    expect_made(resumed, {"--resume", "-q"});
+// A picture whose texts name another scene, view or options, and hits beside it.
+TEST_F(SharedRuns, PicturesOfSomethingElseAreMadeAgain) {
+  const std::string other = scene("other.scene", nff("other.nff", other_nff));
+  const std::string other_grid = grid("other.grid", other);
+  for (const std::string ending : {"png", "jpg"}) {
+    if (ending == "jpg" && !has_libjpeg()) continue;
+    const auto job = [&](const std::string& name, const Arguments& more = {}) {
+      return Job{
+          on_cpu(joined({"--size", "40x30", "-o", file(name + "." + ending), "--hits", file(name + ".hits")},
+                        more)),
+          {name + "." + ending, name + ".hits"}};
+    };
+    const Job expected = job("a"), resumed = job("b");
+    expect_made(expected);
+    Job of_other = resumed;
+    std::ranges::replace(of_other.arguments, scene_, other);
+    std::ranges::replace(of_other.arguments, grid_, other_grid);
+    for (const Job& before : {of_other, job("b", {"--srgb"}), job("b", {"--from", "3,-4,2.5"}),
+                              job("b", {"--sampling", "centers"}), job("b", {"--crop", "0,0,40,30"})}) {
+      expect_made(before);
+      expect_made(resumed, {"--resume"});
+      expect_same(resumed, expected);
+    }
+  }
+}
+
+// Of files without texts: those of another size; all of them if the report says so.
+TEST_F(SharedRuns, ValuesOfAnotherSizeOrRunAreMadeAgain) {
+  write_records(file("few"), std::vector<float>(60, 1));
+  write_records(file("more"), std::vector<float>(120, 1));
+  const auto picture = [&](const std::string& name, const std::string& size, const Arguments& more = {}) {
+    return Job{
+        on_cpu(joined({"--size", size, "-o", file(name + ".pfm"), "--hits", file(name + ".npy")}, more)),
+        {name + ".pfm", name + ".npy"}};
+  };
+  const auto hits = [&](const std::string& name, const std::string& rays, const Arguments& more = {}) {
+    return Job{on_cpu(joined({file(rays), "-o", file(name + ".hits")}, more)), {name + ".hits"}, "gridtrace"};
+  };
+  const Arguments report{"--times", file("b.json")};
+  struct Case {
+    Job expected, before, resumed;
+  };
+  for (const auto& [expected, before, resumed] :
+       {Case{picture("a", "40x30"), picture("b", "30x40"), picture("b", "40x30")},
+        Case{hits("a", "few"), hits("b", "more"), hits("b", "few")},
+        Case{hits("a", "few", {"--faces", "back"}), hits("b", "few", report),
+             hits("b", "few", joined({"--faces", "back"}, report))},
+        Case{picture("a", "40x30", {"--depth", "1"}), picture("b", "40x30", report),
+             picture("b", "40x30", joined({"--depth", "1"}, report))}}) {
+    SCOPED_TRACE(resumed.outputs.front());
+    std::filesystem::remove(file("b.json"));
+    expect_made(expected);
+    expect_made(before);
+    expect_made(resumed, {"--resume"});
     expect_same(resumed, expected);
+    const auto states = states_of(resumed); // the report is of them now
+    expect_made(resumed, {"--resume"});
+    EXPECT_EQ(states_of(resumed), states);
   }
 }
 
-TEST_F(SharedRuns, FilesOfOthersAreNeitherReplacedNorRemoved) {
-  const Job picture = large("b", "png", "corners"), chunks = list("c", ".hits");
-  const auto stays = [&](const std::string& name, const Job& job) {
-    SCOPED_TRACE(name);
-    write_text(file(name), "mine");
-    const auto before = folder_.listing();
-    EXPECT_TRUE(fails(3, job.tool, joined(job.arguments, {"--resume"}), file(name), "is in the way"));
-    EXPECT_EQ(folder_.listing(), before);
-    EXPECT_EQ(read_text(file(name)), "mine");
-    std::filesystem::remove(file(name));
-  };
-  stays("b.png.journal.0", picture);
-  stays("b.png.partial", picture);
-  stays("b.hits.partial", picture);
-  stays("c.hits.journal.0", chunks);
-  stays("c.hits.partial", chunks);
-  ASSERT_EQ(mkfifo(file("c.hits.journal.0").c_str(), 0600), 0);
-  EXPECT_TRUE(fails(3, chunks.tool, joined(chunks.arguments, {"--resume"}), file("c.hits.journal.0"),
-                    "is in the way"));
-  EXPECT_TRUE(std::filesystem::remove(file("c.hits.journal.0")));
-  // Of another rank, which this run hasn't.
-  write_text(file("c.hits.journal.7"), "mine");
-  expect_made(chunks, {"--resume"});
-  EXPECT_EQ(read_text(file("c.hits.journal.7")), "mine");
-}
-
-TEST_F(SharedRuns, InputsAreNoPartialFilesNorJournals) {
-  static_cast<void>(list("x", ".hits")); // writes the rays
-  const auto is_spared = [&](const std::string& input, const std::string& name, Arguments arguments,
-                             const std::string& tool = "gridrender") {
-    SCOPED_TRACE(name);
-    std::filesystem::copy_file(input, file(name));
-    std::ranges::replace(arguments, input, file(name));
-    arguments.insert(arguments.end(), {"--backend", "cpu", "--resume"});
-    EXPECT_TRUE(fails(1, tool, arguments, file(name), "is the input"));
-    EXPECT_TRUE(read_bytes(file(name)) == read_bytes(input));
-    std::filesystem::remove(file(name));
-  };
-  write_text(file("views"), "{\"name\": \"a\"}\n{\"name\": \"b\"}\n");
-  for (const std::string& input : {scene_, grid_}) {
-    is_spared(input, "b.png.partial", {scene_, grid_, "-o", file("b.png")});
-    is_spared(input, "b.png.journal.0", {scene_, grid_, "-o", file("b.png")});
-    is_spared(input, "b.hits.partial", {scene_, grid_, file("rays"), "-o", file("b.hits")}, "gridtrace");
-  }
-  is_spared(file("rays"), "b.hits.partial", {scene_, grid_, file("rays"), "-o", file("b.hits")}, "gridtrace");
-  is_spared(file("rays"), "b.hits.journal.0", {scene_, grid_, file("rays"), "-o", file("b.hits")},
-            "gridtrace");
-  is_spared(file("views"), "b.png.partial",
-            {scene_, grid_, "--views", file("views"), "-o", file("{name}.png")});
-  is_spared(file("views"), "a.png.journal.0",
-            {scene_, grid_, "--views", file("views"), "-o", file("{name}.png")});
-  // Nor outputs of one run each other's.
-  const Arguments twice{scene_,        grid_,    "--backend",          "cpu", "--resume", "-o",
-                        file("b.png"), "--hits", file("b.png.partial")};
-  EXPECT_TRUE(fails(1, "gridrender", twice, file("b.png.partial"), "twice"));
+// What --resume doesn't know is left alone.
+TEST_F(SharedRuns, WhatIsNoFileIsntReplaced) {
+  std::filesystem::create_directory(file("b.png"));
+  EXPECT_TRUE(fails(1, "gridrender", on_cpu({"-o", file("b.png"), "--resume"}), file("b.png"),
+                    "isn't a regular file"));
+  write_records(file("few"), std::vector<float>(60, 1));
+  ASSERT_EQ(mkfifo(file("fifo").c_str(), 0600), 0);
+  EXPECT_TRUE(fails(1, "gridtrace", on_cpu({file("few"), "-o", file("fifo"), "--resume"}), file("fifo"),
+                    "isn't a regular file"));
 }
 
 #ifdef MASU_MPIRUN
@@ -577,13 +389,12 @@ TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
   EXPECT_EQ(refused.code, 2) << refused.err;
 }
 
-// One rank, or all and mpirun.
-TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
+// One rank, or all and mpirun. What rank 0 had made for all is left where it was killed itself, and removed
+// by the next run that makes the file.
+TEST_F(MpiRuns, KilledRanksLeaveWholeFilesAlone) {
   auto random = seed_.engine();
-  for (const Job& job : all("a"))
-    expect_made(job);
-  resume_killed(
-      6, random, [&](const Job& job) { return time_of(MASU_MPIRUN, by(2, job)).count(); },
+  kill_and_resume(
+      8, random, time_of(MASU_MPIRUN, by(2, "gridrender", {"--version"})).count(),
       [&](const Job& job) {
         const int ranks = 1 + static_cast<int>(random() % 3);
         return start(MASU_MPIRUN, by(ranks, job, {"--resume", "-q"}));
@@ -597,7 +408,47 @@ TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
         } else {
           kill(ranks[random() % ranks.size()], SIGKILL);
         }
-      });
+      },
+      2 * 3);
+}
+
+TEST_F(MpiRuns, FilesThatAreThereStay) {
+  for (const auto& [expected, resumed] :
+       {std::pair{views("a"), views("b")}, std::pair{list("a", ".hits"), list("b", ".hits")}}) {
+    expect_made(expected);
+    EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(3, resumed))));
+    const auto states = states_of(resumed);
+    EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(3, resumed, {"--resume"}))));
+    EXPECT_EQ(states_of(resumed), states);
+    std::filesystem::remove(file(resumed.outputs.front()));
+    EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(2, resumed, {"--resume"}))));
+    expect_same(resumed, expected);
+  }
+}
+
+// By a rank, whatever its number, or by all.
+TEST_F(MpiRuns, AFailedOrTerminatedRunLeavesNothing) {
+  const Job job = large("b", "pfm", "centers");
+  const auto before = folder_.listing();
+  for (const int failing : {0, 1}) {
+    const std::string command =
+        fmt::format("[ $OMPI_COMM_WORLD_RANK = {} ] && ulimit -f 40000; exec \"$0\" \"$@\"", failing);
+    const ToolResult result = run(MASU_MPIRUN, joined({"--oversubscribe", "-n", "2", "/bin/sh", "-c", command,
+                                                       std::string(MASU_BIN_DIR) + "/gridrender-mpi"},
+                                                      job.arguments));
+    EXPECT_EQ(result.code, 3) << result.err;
+    EXPECT_EQ(folder_.listing(), before);
+  }
+  int hung = 0;
+  const pid_t process = start(MASU_MPIRUN, by(2, job));
+  for (int i = 0; i < 2000 && temporary_files() == 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(temporary_files(), 2);
+  kill(process, SIGTERM);
+  EXPECT_NE(status_of(process, hung), 0);
+  for (int i = 0; i < 100 && temporary_files() > 0; ++i) // its ranks may end a moment later
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(folder_.listing(), before);
 }
 
 // mpirun adds lines of its own; Open MPI 5 also spaces before those of its ranks.

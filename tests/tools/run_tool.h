@@ -43,8 +43,8 @@ std::chrono::duration<double> time_of(const std::string& tool, const Arguments& 
 // Starts the tool without waiting for it. Its output is discarded.
 pid_t start(const std::string& tool, const Arguments& arguments);
 
-// Whether its exit code is 0, and stderr says at most what was traced, how full warps are, and that there is
-// no usable GPU.
+// Whether its exit code is 0, and stderr says at most what was kept and traced, how full warps are, and that
+// there is no usable GPU.
 testing::AssertionResult succeeded(const ToolResult& result);
 
 // Runs the tool, which must succeed so.

@@ -1,12 +1,14 @@
-// Files whose parts are made in any order, by several threads.
+// Files whose parts are made in any order, by several threads or by several ranks.
 #pragma once
 
 #include "libscene/file/output_file.h"
+#include "tools/jobs/ranks.h"
 
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,12 +19,15 @@ namespace masu {
 // Appends the next part to a file.
 using AppendPart = std::function<void(std::span<const std::uint8_t> part)>;
 
+// A slot, which has a part whose size isn't known before it is made, begins with that size.
+inline constexpr std::uint64_t slot_head = sizeof(std::uint64_t);
+
 // How numbered parts make a file. Either the offset of each is known before it is made; or parts follow each
 // other, and then `begin` isn't null.
 struct PartedForm {
   std::uint64_t count = 0; // parts
-  // Of a part in the file. Of parts that follow each other: in OUT.partial (partial_file.h), where each has a
-  // slot with room for it.
+  // Of a part in the file. Of parts that follow each other: in a SharedFile until it is committed, where each
+  // has a slot with room for it.
   std::function<std::uint64_t(std::uint64_t part)> offset{};
   std::uint64_t bytes = 0; // of the file, where offsets are known
   std::function<AppendPart(OutputFile& file)> begin{};
@@ -71,5 +76,35 @@ private:
   std::map<std::uint64_t, std::pair<std::uint64_t, std::vector<std::uint8_t>>>
       waiting_; // by position: end, bytes
 };
+
+// A file that ranks write together: until it is committed all of them write into a temporary one beside it,
+// which rank 0 has made (UntilCommit::named).
+class SharedFile {
+public:
+  // Collective (ranks.h). Throws Error(output).
+  SharedFile(const std::string& path, PartedForm form, Ranks& ranks);
+  ~SharedFile();
+  SharedFile(const SharedFile&) = delete;
+  SharedFile& operator=(const SharedFile&) = delete;
+
+  // By any thread. Throws Error(output).
+  void write(std::uint64_t part, std::vector<std::uint8_t> bytes) const;
+  // Collective, when this rank writes no more: what it wrote is there for others. Throws Error(output).
+  void close();
+  // By rank 0, when all ranks have closed it. Throws Error(output).
+  void commit();
+
+private:
+  [[noreturn]] void fail(const char* doing) const;
+
+  const std::string path_;
+  const PartedForm form_;
+  std::optional<OutputFile> made_; // rank 0's
+  std::string temporary_;          // its name until it is committed
+  int file_ = -1;                  // descriptor of the temporary file
+};
+
+// Throws Error(usage) for what several ranks and --resume can't write: anything but a regular file.
+void check_is_file(const std::string& path);
 
 } // namespace masu

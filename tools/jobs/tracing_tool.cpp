@@ -1,4 +1,5 @@
 #include "tools/jobs/tracing_tool.h"
+#include "libscene/file/input_file.h"
 #include "libscene/file/output_file.h"
 #include "tools/common/cli.h"
 #include "tools/common/print.h"
@@ -18,6 +19,18 @@ namespace masu {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+const std::string& report_name(const TracingOptions& options) {
+  return options.stats.empty() ? options.times : options.stats;
+}
+
+// Of a command line, the words that outputs depend on.
+Json words_of(Json command) {
+  if (command.is_array())
+    std::erase_if(command.get_ref<Json::array_t&>(),
+                  [](const Json& word) { return word == "--resume" || word == "-q" || word == "--quiet"; });
+  return command;
+}
 
 // What Precision::automatic came to.
 std::string precision_text(const TracingReport& report) {
@@ -52,7 +65,9 @@ void TracingOptions::add_to(const CommandLine& command) {
   add_first_cell_hit(command, rules.stop);
   command.add_flag("--brute-force", brute_force, "test every ray against every primitive, without a grid");
   command.add_flag("--resume", resume,
-                   "go on where a run with --resume was interrupted: what it finished isn't done again");
+                   "keep the files that are there, and make those that are missing; a picture is made again "
+                   "where its texts name another scene, view or options, a file without texts where the "
+                   "report of --stats or --times does; else it is taken for what it is called");
   command.group("Reports");
   const Option counts =
       command.add_file("--stats", stats, "write ray counts and seconds as JSON; counting slows tracing down");
@@ -111,20 +126,34 @@ Json OpenedScene::hashes() const {
   return {{"scene_hash", to_hex(scene_.hash())}, {"grid_hash", grid_ ? Json(to_hex(grid_->hash())) : Json()}};
 }
 
-std::string run_description(const OpenedScene& opened, const TracingRules& tracing,
-                            const std::string& options) {
-  return fmt::format("{}\nscene {}\n{}\n{} counts {}", program_name(), to_hex(opened.scene().hash()), options,
-                     opened.gpus().empty() ? "cpu" : "cuda", tracing.count);
+Resume resume_of(const TracingOptions& options, const OpenedScene& opened) {
+  if (!options.resume) return Resume::off;
+  const std::string path = report_name(options);
+  if (path.empty() || !is_kept(path, {})) return Resume::all;
+  const Json report = Json::parse(read_text_input(path), nullptr, false), now = provenance();
+  const auto same = [&](const char* key, const Json& value) {
+    return report.is_object() && report.contains(key) && report[key] == value;
+  };
+  return same("scene_hash", to_hex(opened.scene().hash())) && report.contains("command") &&
+                 words_of(report["command"]) == words_of(now["command"])
+             ? Resume::all
+             : Resume::described;
 }
 
 void write_reports(const char* tool, const TracingOptions& options, const OpenedScene& opened,
                    const Ranks& ranks, const TracingReport& report, bool quiet) {
+  const bool is_kept_whole = report.kept > 0 && report.kept == report.files;
+  if (report.kept > 0 && !quiet)
+    print_note("{}: --resume: {} of {} files are there and are kept\n", tool, grouped(report.kept),
+               grouped(report.files));
+  if (is_kept_whole && (!options.has_report() || is_kept(report_name(options), {}))) return;
   const std::string device =
       devices_name(opened.gpus()) + (ranks.count() > 1 ? fmt::format(", {} ranks", ranks.count()) : "");
   Json json = provenance();
   json.update({{"backend", opened.gpus().empty() ? "cpu" : "cuda"}, {"device", device}});
   json.update(opened.hashes());
   json["views"] = report.views;
+  if (options.resume) json["kept"] = report.kept;
   json.update(precision_json(report, resolved(options.rules.precision, opened.scene())));
   if (!options.stats.empty()) json.update(counts_report(report.totals.counts));
   json["seconds"] = {{"map", opened.map_seconds()},
@@ -133,9 +162,8 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
                      {"trace", report.seconds.trace},
                      {"download", report.seconds.download},
                      {"write", report.write_seconds}};
-  if (options.has_report())
-    write_text_file(options.stats.empty() ? options.times : options.stats, json_text(json) + "\n");
-  if (quiet) return;
+  if (options.has_report()) write_text_file(report_name(options), json_text(json) + "\n");
+  if (quiet || is_kept_whole) return;
   const DeviceChoice& wanted = options.devices;
   const std::string why = wanted.devices.empty() ? why_no_gpu(wanted.backend) : "";
   const double seconds = report.overlaps_writing ? report.elapsed_seconds : report.seconds.trace;

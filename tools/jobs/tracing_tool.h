@@ -6,9 +6,9 @@
 #include "libscene/file/mapping_faults.h"
 #include "renderer/tracer/tracer.h"
 #include "tools/jobs/device_choice.h"
+#include "tools/jobs/kept_file.h"
 #include "tools/jobs/ranks.h"
-#include "tools/jobs/task_list.h"
-#include "tools/report/tracing_report.h"
+#include "tools/jobs/tracing_report.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -66,11 +66,12 @@ private:
   const ResidentTracer tracer_;
 };
 
-// What all files of a run depend on, by which --resume knows them; `options`: the tool's own.
-std::string run_description(const OpenedScene& opened, const TracingRules& tracing,
-                            const std::string& options);
+// What --resume keeps: Resume::all unless the file of --stats or --times is there and says that the last
+// run's scene or command was another one. By any rank; rank 0's counts.
+Resume resume_of(const TracingOptions& options, const OpenedScene& opened);
 
-// Writes --stats and --times, and the line that says what was traced unless `quiet`. By rank 0.
+// Writes --stats and --times, and the lines that say what was kept and traced unless `quiet`. Where all was
+// kept, a report of it that is there is kept, too. By rank 0.
 void write_reports(const char* tool, const TracingOptions& options, const OpenedScene& opened,
                    const Ranks& ranks, const TracingReport& report, bool quiet);
 

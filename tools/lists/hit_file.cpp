@@ -2,7 +2,6 @@
 
 #include "libscene/base/error.h"
 #include "tools/common/number_list.h"
-#include "tools/jobs/partial_file.h"
 #include "tools/lists/npy.h"
 
 #include <fmt/format.h>
@@ -173,6 +172,12 @@ PartedForm HitFormat::parts(std::uint64_t count, std::function<std::uint64_t(std
             return part > 0 ? head_bytes + first(part) * each : 0;
           },
           head_bytes + records * record_bytes_};
+}
+
+KnownBy HitFormat::known_by(std::optional<std::uint64_t> records) const {
+  if (is_text() || !records) return {is_text() ? head(0) : ""};
+  const std::string begin = head(*records);
+  return {begin, begin.size() + *records * record_bytes_};
 }
 
 // A line for each hit of a ray.

@@ -4,9 +4,11 @@
 #pragma once
 
 #include "renderer/render_pixel.h"
+#include "tools/jobs/kept_file.h"
 #include "tools/jobs/parted_file.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,8 @@ public:
   // of parts that of all records.
   PartedForm parts(std::uint64_t count, std::function<std::uint64_t(std::uint64_t part)> first,
                    std::uint64_t records) const;
+  // What a file of so many records is known by, or of how many isn't known.
+  KnownBy known_by(std::optional<std::uint64_t> records) const;
   // A part's bytes: its records as they are in the file, of `all` records; `first` is the index of the first.
   // The first part has the head, but for text.
   std::vector<std::uint8_t> part(std::vector<std::uint8_t> records, std::uint64_t first,

@@ -146,7 +146,7 @@ std::vector<std::uint8_t> RayFile::bytes_of(const std::vector<double>& rays) con
 
 void RayFile::find_chunks(std::size_t rays_per_chunk, Ranks& ranks) {
   if (!is_named_file())
-    throw Error(ErrorCode::usage, path_, "isn't a file, which several ranks and --resume need: name a file");
+    throw Error(ErrorCode::usage, path_, "isn't a file, which several ranks need: name a file");
   file_.emplace(path_);
   rays_per_chunk_ = rays_per_chunk;
   if (!csv_) {

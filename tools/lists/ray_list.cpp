@@ -12,9 +12,9 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -28,7 +28,7 @@ constexpr std::size_t rays_per_task = 1 << 14;
 // --- A chunk of the list -----------------------------------------------------------------------------------
 
 struct Chunk {
-  std::uint64_t task = 0;
+  std::uint64_t index = 0;
   std::vector<std::uint8_t> rays;
   std::vector<PrimitiveIndex> excluded;
   std::size_t count = 0;
@@ -89,15 +89,31 @@ std::uint64_t invalid_rays(const RayList& rays) {
       std::plus<>());
 }
 
-// --- Tasks -------------------------------------------------------------------------------------------------
+// --- Chunks ------------------------------------------------------------------------------------------------
+
+std::size_t rays_per_chunk(const RayListJob& job) {
+  return (std::size_t{1} << 20) / hit_rules(job.request).row();
+}
+std::uint64_t chunks_of(std::uint64_t rays, std::size_t each) {
+  return (rays + each - 1) / each;
+}
+// Hits per ray that a record has a dimension for.
+std::uint32_t row_of(const RayListJob& job) {
+  return job.request.query == Query::all_hits ? job.request.limit : 0;
+}
+
+// Of a list whose length may not be known yet: where it is needed, it is.
+PartedForm form_of(const HitFormat& format, std::size_t each, std::uint64_t rays) {
+  return format.parts(
+      chunks_of(rays, each), [each](std::uint64_t chunk) { return chunk * each; }, rays);
+}
 
 // The chunks of a list, each of which is read while those before it are traced: all in their order, or those
-// of the tasks that this process takes.
+// that this one of several ranks takes.
 class ChunkReader {
 public:
-  // tasks: null where nobody else takes any.
-  ChunkReader(RayFile& file, std::size_t rays_per_chunk, TaskList* tasks)
-      : file_(file), rays_per_chunk_(rays_per_chunk), tasks_(tasks) {}
+  ChunkReader(RayFile& file, std::size_t rays_per_chunk, Ranks& ranks)
+      : file_(file), rays_per_chunk_(rays_per_chunk), ranks_(ranks) {}
 
   // Nothing after the last one. For threads at the same time.
   std::shared_ptr<Chunk> next() {
@@ -116,10 +132,10 @@ private:
   // Without rays after the last one.
   std::shared_ptr<Chunk> read() {
     auto chunk = std::make_shared<Chunk>();
-    const std::optional<std::uint64_t> task = tasks_ != nullptr ? tasks_->next() : read_++;
-    if (!task) return chunk;
-    RaysRead read = tasks_ != nullptr ? file_.chunk(*task) : file_.next(rays_per_chunk_);
-    chunk->task = *task;
+    chunk->index = ranks_.next();
+    const bool is_shared = ranks_.count() > 1;
+    if (is_shared && chunk->index >= chunks_of(file_.all_rays(), rays_per_chunk_)) return chunk;
+    RaysRead read = is_shared ? file_.chunk(chunk->index) : file_.next(rays_per_chunk_);
     chunk->rays = std::move(read.rays);
     chunk->file_bytes = read.bytes;
     chunk->count = chunk->rays.size() / file_.format().bytes_per_ray();
@@ -128,67 +144,31 @@ private:
 
   RayFile& file_;
   std::size_t rays_per_chunk_;
-  TaskList* tasks_;
-  std::uint64_t read_ = 0; // chunks, where nobody else takes any
+  Ranks& ranks_;
   bool ended_ = false;
   std::mutex mutex_;
   std::future<std::shared_ptr<Chunk>> coming_;
 };
 
-std::size_t rays_per_chunk(const RayListJob& job) {
-  return (std::size_t{1} << 20) / hit_rules(job.request).row();
-}
-// Hits per ray that a record has a dimension for.
-std::uint32_t row_of(const RayListJob& job) {
-  return job.request.query == Query::all_hits ? job.request.limit : 0;
-}
-
-// Of a list whose length may not be known yet: where it is needed, it is.
-PartedForm form_of(const HitFormat& format, std::size_t each, std::uint64_t rays) {
-  return format.parts((rays + each - 1) / each, [each](std::uint64_t chunk) { return chunk * each; }, rays);
-}
-
-TaskListOf task_list_of(const RayListJob& job, RayFile& file, const HitFormat& format,
-                        const Sharing& sharing) {
-  if (!sharing.in_parts()) return {};
-  file.find_chunks(rays_per_chunk(job), sharing.ranks);
-  const PartedForm form = form_of(format, rays_per_chunk(job), file.all_rays());
-  TaskListOf tasks{fmt::format("{}\n{}\nrays {} {} {}", job.description, job.hits, file.is_text(),
-                               file.format().is_float64, file.format().numbers),
-                   job.hits, form.count};
-  tasks.writes = [form, hits = job.hits](std::uint64_t task) {
-    return hits.empty() ? std::vector<FileRange>{} : std::vector{range_of(hits, form, task)};
-  };
-  if (!sharing.resume) return tasks;
-  std::string hash;
-  if (sharing.ranks.rank() == 0) {
-    hash = whole_file(job.rays).hash;
-    if (!job.excluded.empty()) hash += fmt::format("\n{}", whole_file(job.excluded).hash);
-  }
-  sharing.ranks.broadcast(hash);
-  tasks.description += "\n" + hash;
-  return tasks;
-}
-
 // Tracing and writing of chunks, in any order and at the same time.
 class ListTracer {
 public:
-  ListTracer(const ResidentTracer& tracer, const RayListJob& job, const Sharing& sharing,
+  // Collective.
+  ListTracer(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks,
              const std::function<void(double)>& progress)
-      : tracer_(tracer), job_(job), sharing_(sharing), progress_(progress),
+      : tracer_(tracer), job_(job), ranks_(ranks), progress_(progress),
         in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
         format_(job.hits, job.fields, row_of(job)), file_(job.rays, job.format),
-        tasks_(sharing, task_list_of(job, file_, format_, sharing)),
-        chunks_(file_, rays_per_chunk(job), sharing.in_parts() ? &tasks_ : nullptr) {
+        chunks_(file_, rays_per_chunk(job), ranks) {
+    report_.files = job.hits.empty() ? 0 : 1;
+    if (job.resume == Resume::all) find_kept();
+    if (report_.kept > 0) return;
+    if (ranks.count() > 1) file_.find_chunks(rays_per_chunk(job), ranks);
     if (!job.excluded.empty()) excluded_.emplace(job.excluded, file_.count());
-    if (job.hits.empty() || sharing.in_parts()) return;
-    hits_.emplace(job.hits, form_of(format_, rays_per_chunk(job), file_.count().value_or(0)));
-    if (!file_.count() && job.hits.ends_with(".npy") && !hits_->has_places())
-      throw Error(
-          ErrorCode::output, job.hits,
-          "is a pipe, where a NumPy array can't begin before the number of rays is known: write .csv, or "
-          "records without an ending");
+    if (!job.hits.empty()) open_hits();
   }
+
+  bool is_kept() const { return report_.kept > 0; }
 
   // Besides those that a GPU has: one is written, one is about to be.
   std::size_t chunks_under_way() const {
@@ -206,7 +186,7 @@ public:
     RayList rays(chunk->rays.data(), chunk->count, file_.format());
     const RayResults results = chunk->make_room(format_.fields(), row_of(job_));
     if (excluded_) {
-      chunk->excluded = excluded_->of_rays(chunk->task * rays_per_chunk(job_), chunk->count);
+      chunk->excluded = excluded_->of_rays(chunk->index * rays_per_chunk(job_), chunk->count);
       rays.filters.excluded = chunk->excluded.data();
     }
     if (!job_.object_masks.empty()) {
@@ -226,32 +206,34 @@ public:
 
   void write(const Chunk& chunk) {
     const Stopwatch watch;
-    std::vector<FileRange> written;
-    if (!job_.hits.empty()) written = write_records(chunk.task, chunk.records(format_.record_bytes()));
-    const double share = sharing_.in_parts() ? tasks_.finish(chunk.task, written, chunk.totals) : 0;
+    if (!job_.hits.empty()) write_records(chunk.index, chunk.records(format_.record_bytes()));
+    const std::uint64_t done = ranks_.add_finished(chunk.file_bytes);
     const std::lock_guard lock(mutex_);
     report_.write_seconds += watch.seconds();
-    if (sharing_.in_parts()) return progress_(share);
     report_.totals += chunk.totals;
-    bytes_done_ += chunk.file_bytes;
-    if (file_.bytes() > 0) progress_(static_cast<double>(bytes_done_) / static_cast<double>(file_.bytes()));
+    show_progress(done);
   }
 
   // By any thread: trace() doesn't wait for the next rays of a pipe any longer, and finds none.
   void cancel() { file_.cancel(); }
 
-  // Collective: when all tasks are done.
+  // Collective: when all chunks are written.
   TracingReport finish() {
     const Stopwatch watch;
-    if (sharing_.in_parts()) {
-      finish_shared();
-    } else if (hits_) {
+    if (shared_) {
+      if (ranks_.rank() == 0 && file_.all_rays() == 0) write_records(0, {}); // the head alone
+      shared_->close();
+    }
+    ranks_.wait_for_all([this] { show_progress(ranks_.add_finished(0)); });
+    if (shared_ && ranks_.rank() == 0) shared_->commit();
+    ranks_.wait_for_all();
+    if (hits_) {
       const std::string head = format_.head(report_.totals.rays); // now that their number is known
       if (report_.totals.rays == 0) write_records(0, {});         // the head alone
       head == format_.head(file_.count().value_or(0)) ? hits_->commit() : hits_->commit(head);
     }
     report_.write_seconds += watch.seconds();
-    sum_up(sharing_.ranks, report_);
+    sum_up(ranks_, report_);
     return report_;
   }
 
@@ -265,55 +247,65 @@ private:
     return loop_;
   }
 
-  // As a part of the hits' file.
-  std::vector<FileRange> write_records(std::uint64_t part, std::vector<std::uint8_t> records) {
-    const std::uint64_t all = sharing_.in_parts() ? file_.all_rays() : file_.count().value_or(0);
-    std::vector<std::uint8_t> bytes = format_.part(std::move(records), part * rays_per_chunk(job_), all);
-    if (!hits_)
-      return {write_part(job_.hits, form_of(format_, rays_per_chunk(job_), all), part, std::move(bytes))};
-    hits_->write(part, std::move(bytes));
-    return {};
+  // Collective: whether the hits are there, by rank 0.
+  void find_kept() {
+    std::array<std::uint64_t, 1> kept{};
+    if (ranks_.rank() == 0 && masu::is_kept(job_.hits, format_.known_by(file_.count()))) kept[0] = 1;
+    ranks_.sum(std::span<std::uint64_t>(kept));
+    report_.kept = kept[0];
   }
 
-  void finish_shared() {
-    Ranks& ranks = sharing_.ranks;
-    report_.totals = tasks_.totals();
-    ranks.wait_for_all([&] { progress_(tasks_.share()); });
-    if (ranks.rank() == 0) {
-      if (!job_.hits.empty()) {
-        if (file_.all_rays() == 0) write_records(0, {}); // the head alone
-        finish_parts(job_.hits, form_of(format_, rays_per_chunk(job_), file_.all_rays()));
-        std::filesystem::remove(partial_name(job_.hits)); // of parts that were copied
-      }
-      tasks_.remove_journals();
+  // Collective.
+  void open_hits() {
+    const std::uint64_t all = ranks_.count() > 1 ? file_.all_rays() : file_.count().value_or(0);
+    PartedForm form = form_of(format_, rays_per_chunk(job_), all);
+    if (ranks_.count() > 1) {
+      shared_.emplace(job_.hits, std::move(form), ranks_);
+      return;
     }
-    ranks.wait_for_all();
+    hits_.emplace(job_.hits, std::move(form));
+    if (!file_.count() && job_.hits.ends_with(".npy") && !hits_->has_places())
+      throw Error(
+          ErrorCode::output, job_.hits,
+          "is a pipe, where a NumPy array can't begin before the number of rays is known: write .csv, or "
+          "records without an ending");
+  }
+
+  void show_progress(std::uint64_t bytes_done) {
+    if (file_.bytes() > 0) progress_(static_cast<double>(bytes_done) / static_cast<double>(file_.bytes()));
+  }
+
+  // As a part of the hits' file.
+  void write_records(std::uint64_t part, std::vector<std::uint8_t> records) {
+    const std::uint64_t all = shared_ ? file_.all_rays() : file_.count().value_or(0);
+    std::vector<std::uint8_t> bytes = format_.part(std::move(records), part * rays_per_chunk(job_), all);
+    shared_ ? shared_->write(part, std::move(bytes)) : hits_->write(part, std::move(bytes));
   }
 
   const ResidentTracer& tracer_;
   const RayListJob& job_;
-  const Sharing& sharing_;
+  Ranks& ranks_;
   const std::function<void(double)>& progress_;
   bool in_double_;
   HitFormat format_;
   RayFile file_;
-  TaskList tasks_;
   ChunkReader chunks_;
   std::optional<ExcludedFile> excluded_;
-  std::optional<PartedFile> hits_; // where this process writes them alone
+  std::optional<PartedFile> hits_;   // where this process writes them alone
+  std::optional<SharedFile> shared_; // else
   std::once_flag loop_found_;
   RayLoop loop_ = RayLoop::warp_refill;
   std::mutex mutex_; // of what follows
   TracingReport report_;
-  std::uint64_t bytes_done_ = 0;
 };
 
 } // namespace
 
-TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, const Sharing& sharing,
+TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks,
                              const std::function<void(double)>& progress) {
   const Stopwatch elapsed;
-  ListTracer tracing(tracer, job, sharing, progress);
+  ListTracer tracing(tracer, job, ranks, progress);
+  if (tracing.is_kept()) return tracing.finish();
   // A chunk may still be read from a pipe when another one fails.
   const auto ending = [&](const auto& act) {
     try {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "renderer/tracer/tracer.h"
+#include "tools/jobs/kept_file.h"
+#include "tools/jobs/tracing_report.h"
 #include "tools/lists/hit_file.h"
 #include "tools/lists/ray_file.h"
-#include "tools/report/tracing_report.h"
 
 #include <string>
 #include <vector>
@@ -19,14 +20,15 @@ struct RayListJob {
   std::vector<std::uint32_t> object_masks{}; // RayFilters; empty: every object is hit
   std::vector<HitField> fields{};
   RaysRequest request{};
-  std::string description{}; // of the scene and of the options that hits depend on
-  int repeat = 1;            // of the tracing, whose seconds are the medians' sum
+  int repeat = 1; // of the tracing, whose seconds are the medians' sum
+  Resume resume = Resume::off;
 };
 
 // Collective (tools/jobs/ranks.h). `progress` gets the share of the list whose hits are written, where it is
-// a file. Throws what RayFile throws, Error(usage) where ranks share a list that isn't a file, Error(output),
-// and what ResidentTracer::trace() throws.
-TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, const Sharing& sharing,
+// a file. With Resume::all hits that are there are kept, and nothing is traced. Throws what RayFile throws,
+// Error(usage) where ranks share a list that isn't a file, Error(output), and what ResidentTracer::trace()
+// throws.
+TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks,
                              const std::function<void(double)>& progress);
 
 } // namespace masu

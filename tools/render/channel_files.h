@@ -3,8 +3,8 @@
 
 #include "renderer/channels.h"
 #include "renderer/image/png_file.h"
+#include "tools/jobs/tracing_report.h"
 #include "tools/render/views.h"
-#include "tools/report/tracing_report.h"
 
 #include <functional>
 #include <string>

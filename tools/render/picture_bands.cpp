@@ -92,12 +92,21 @@ std::uint64_t PictureBands::pfm_offset(std::size_t band) const {
   return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
 }
 
+std::uint64_t PictureBands::pfm_bytes() const {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_);
+  return pfm_head(width(), height_).size() + pixels * sizeof(Vec3f);
+}
+
+KnownBy PictureBands::known_by(const PictureTexts& texts) const {
+  if (format_ == ImageFormat::pfm) return {pfm_head(width(), height_), pfm_bytes()};
+  const std::vector<std::uint8_t> head =
+      format_ == ImageFormat::jpeg ? jpeg_comment(texts) : png_head(width(), height_, texts);
+  return {{head.begin(), head.end()}};
+}
+
 PartedForm PictureBands::picture_form(std::function<PictureTexts()> texts) const {
-  if (format_ == ImageFormat::pfm) {
-    const std::uint64_t pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_);
-    return {count(), [this](std::uint64_t band) { return pfm_offset(band); },
-            pfm_head(width(), height_).size() + pixels * sizeof(Vec3f)};
-  }
+  if (format_ == ImageFormat::pfm)
+    return {count(), [this](std::uint64_t band) { return pfm_offset(band); }, pfm_bytes()};
   // Compression enlarges nothing by more than this. Of a JPEG it is twice TurboJPEG's own bound.
   const bool is_jpeg = format_ == ImageFormat::jpeg;
   const std::uint64_t row_bytes = (is_jpeg ? 12 : 3) * static_cast<std::uint64_t>(width()) + 1,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/image/image.h"
+#include "tools/jobs/kept_file.h"
 #include "tools/jobs/parted_file.h"
 
 namespace masu {
@@ -30,12 +31,16 @@ public:
   // How these make the picture's file. `texts`: of a PNG or JPEG file. The bands outlive the form.
   PartedForm picture_form(std::function<PictureTexts()> texts) const;
 
+  // What the picture's file is known by.
+  KnownBy known_by(const PictureTexts& texts) const;
+
   std::uint64_t first_hit(std::size_t band) const; // its index in the picture
   std::uint64_t hit_count() const;                 // of the whole picture
 
 private:
   std::int32_t first_row(std::size_t band) const { return static_cast<std::int32_t>(band) * band_rows_; }
   std::uint64_t pfm_offset(std::size_t band) const;
+  std::uint64_t pfm_bytes() const;
   std::int32_t rows(std::size_t band) const { return std::min(band_rows_, height_ - first_row(band)); }
 
   RayWindow rays_;

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -33,28 +32,42 @@ std::string description(const Camera& camera, const FrameRequest& frame) {
   return text;
 }
 
-// The views' bands: these are the tasks.
+// The views' bands, and which of them a rank takes at a time: one; or of several ranks a whole view, whose
+// files it then writes alone and which appear as soon as they are whole. The last views of several bands are
+// shared: so ranks end together.
 struct Layout {
-  std::vector<PictureBands> bands;      // of each view
-  std::vector<std::size_t> first_tasks; // of each view
-  std::size_t tasks = 0;
+  struct Bands {
+    std::size_t view = 0, first = 0, end = 0;
+  };
 
-  explicit Layout(const ViewsRequest& request) {
+  std::vector<PictureBands> bands; // of each view
+  std::vector<Bands> taken;        // at a time
+  std::size_t first_shared = 0;    // views from here on, where they have several bands
+  std::vector<std::size_t> before; // bands of the views before each view
+  std::size_t all_bands = 0;
+
+  Layout(const ViewsRequest& request, const Ranks& ranks) {
+    constexpr std::size_t most_shared = 32; // whose files rank 0 holds open
+    const std::size_t views = request.views.size();
+    first_shared = views;
+    if (ranks.count() > 1)
+      first_shared -= std::min({views, static_cast<std::size_t>(ranks.count()), most_shared});
     for (const View& view : request.views) {
       FrameRequest frame = request.frame;
       frame.camera = view.camera;
-      bands.emplace_back(window_of(frame), frame.sampling, request.image.format);
-      first_tasks.push_back(tasks);
-      tasks += bands.back().count();
+      const PictureBands& added = bands.emplace_back(window_of(frame), frame.sampling, request.image.format);
+      const std::size_t index = bands.size() - 1, count = added.count(),
+                        step = ranks.count() > 1 && index < first_shared ? count : 1;
+      for (std::size_t first = 0; first < count; first += step)
+        taken.push_back({index, first, first + step});
+      before.push_back(all_bands);
+      all_bands += count;
     }
   }
 
-  std::size_t view_of(std::size_t task) const {
-    return static_cast<std::size_t>(std::ranges::upper_bound(first_tasks, task) - 1 - first_tasks.begin());
-  }
-  bool has_parts(std::size_t view) const { return bands[view].count() > 1; }
+  bool is_shared(std::size_t view) const { return view >= first_shared && bands[view].count() > 1; }
   // Bytes of the largest frame and of what is made of it.
-  std::size_t largest_task() const {
+  std::size_t largest_band() const {
     std::size_t rays = 0;
     for (const PictureBands& picture : bands)
       rays = std::max(rays, picture.largest_band_rays());
@@ -67,12 +80,16 @@ struct ViewFile {
   std::string path;
   PartedForm form;
   std::function<std::vector<std::uint8_t>(std::size_t band, const Frame& frame)> part;
-  std::unique_ptr<PartedFile> opened{}; // where this process writes it alone
 };
 
-// `request` and `layout` outlive them.
-std::vector<ViewFile> files_of(const ViewsRequest& request, const Layout& layout, std::size_t view) {
-  const PictureBands& bands = layout.bands[view];
+PictureTexts texts_of(const ViewsRequest& request, std::size_t view) {
+  PictureTexts all = request.image.texts;
+  all.emplace_back("View", description(request.views[view].camera, request.frame));
+  return all;
+}
+
+// `request` and `bands` outlive them.
+std::vector<ViewFile> files_of(const ViewsRequest& request, const PictureBands& bands, std::size_t view) {
   const auto& [picture, hits] = request.files[view];
   std::vector<ViewFile> files;
   if (!hits.empty()) {
@@ -85,64 +102,85 @@ std::vector<ViewFile> files_of(const ViewsRequest& request, const Layout& layout
                        return format.part(bands.hits(band, frame), bands.first_hit(band), bands.hit_count());
                      }});
   }
-  if (!picture.empty()) {
-    const auto texts = [&request, view] {
-      PictureTexts all = request.image.texts;
-      all.emplace_back("View", description(request.views[view].camera, request.frame));
-      return all;
-    };
-    files.push_back({picture, bands.picture_form(texts),
+  if (!picture.empty())
+    files.push_back({picture, bands.picture_form([&request, view] { return texts_of(request, view); }),
                      [&bands, &image = request.image](std::size_t band, const Frame& frame) {
                        return bands.picture(band, frame, image);
                      }});
-  }
   return files;
 }
 
-// By several processes or runs: a file of one band is written whole, and known as a whole.
-std::vector<FileRange> ranges_of(const ViewsRequest& request, const Layout& layout, std::uint64_t task) {
-  const std::size_t view = layout.view_of(task), band = task - layout.first_tasks[view];
-  std::vector<FileRange> ranges;
-  for (const ViewFile& file : files_of(request, layout, view))
-    ranges.push_back(layout.has_parts(view) ? range_of(file.path, file.form, band) : FileRange{file.path});
-  return ranges;
+// --- What is kept ------------------------------------------------------------------------------------------
+
+// Of a view: k for a file that is kept, m for one that is made.
+std::string kept_files(const ViewsRequest& request, const PictureBands& bands, std::size_t view) {
+  const auto& [picture, hits] = request.files[view];
+  const bool all = request.resume == Resume::all, is_described = request.image.format != ImageFormat::pfm,
+             keeps_picture = !picture.empty() && (all || is_described) &&
+                             is_kept(picture, bands.known_by(texts_of(request, view))),
+             is_other = !picture.empty() && !keeps_picture && is_kept(picture, {}),
+             // Beside a picture of something else they are of that, too.
+      keeps_hits = !hits.empty() && all && !is_other &&
+                   is_kept(hits, HitFormat(hits, request.hit_fields, 0).known_by(bands.hit_count()));
+  return {keeps_picture ? 'k' : 'm', keeps_hits ? 'k' : 'm'};
 }
 
-TaskListOf task_list_of(const ViewsRequest& request, const Layout& layout, const Sharing& sharing) {
-  TaskListOf tasks{request.description, {}, layout.tasks};
-  if (!sharing.in_parts()) return tasks;
-  tasks.writes = [&](std::uint64_t task) { return ranges_of(request, layout, task); };
-  for (std::size_t i = 0; i < request.views.size(); ++i) {
-    const auto& [picture, hits] = request.files[i];
-    for (const std::string& file : {picture, hits})
-      if (!file.empty()) static_cast<void>(partial_name(file)); // can it have one?
-    tasks.description +=
-        fmt::format("\n{}\n{}\n{}", description(request.views[i].camera, request.frame), picture, hits);
+// Collective: without what is kept, by rank 0, which may see others' first files already.
+ViewsRequest without_kept(const ViewsRequest& request, Ranks& ranks, TracingReport& report) {
+  std::string kept;
+  if (ranks.rank() == 0) {
+    const Layout layout(request, ranks);
+    for (std::size_t view = 0; view < request.views.size(); ++view)
+      kept += kept_files(request, layout.bands[view], view);
   }
-  const auto& [picture, hits] = request.files.front();
-  tasks.output = picture.empty() ? hits : picture;
-  return tasks;
+  ranks.broadcast(kept);
+  ViewsRequest rest = request;
+  rest.views.clear();
+  rest.files.clear();
+  for (std::size_t view = 0; view < request.views.size(); ++view) {
+    ViewFiles files = request.files[view];
+    std::size_t i = 2 * view;
+    for (std::string* const file : {&files.picture, &files.hits}) {
+      report.files += file->empty() ? 0 : 1;
+      if (kept[i++] != 'k') continue;
+      ++report.kept;
+      file->clear();
+    }
+    if (files.picture.empty() && files.hits.empty()) continue;
+    rest.views.push_back(request.views[view]);
+    rest.files.push_back(std::move(files));
+  }
+  return rest;
 }
 
-struct RenderedTask {
-  std::size_t task, view, band;
+// --- Tracing and writing -----------------------------------------------------------------------------------
+
+struct RenderedBand {
+  std::size_t view, band;
   Frame frame;
 };
 
-// Tracing and writing of tasks, in any order and at the same time.
+// Of bands, in any order and at the same time.
 class ViewsRenderer {
 public:
-  ViewsRenderer(const ResidentTracer& tracer, const ViewsRequest& request, const Layout& layout,
-                const Sharing& sharing, const std::function<void(double)>& progress)
-      : tracer_(tracer), request_(request), layout_(layout), sharing_(sharing), progress_(progress),
-        tasks_(sharing, task_list_of(request, layout, sharing)), outputs_(request.views.size()),
-        precisions_(request.views.size()) {}
+  // Collective.
+  ViewsRenderer(const ResidentTracer& tracer, const ViewsRequest& request, const Layout& layout, Ranks& ranks,
+                const std::function<void(double)>& progress)
+      : tracer_(tracer), request_(request), layout_(layout), ranks_(ranks), progress_(progress),
+        outputs_(request.views.size()), precisions_(request.views.size()) {
+    for (std::size_t view = layout.first_shared; view < request.views.size(); ++view) {
+      if (!layout.is_shared(view)) continue;
+      outputs_[view].files = files_of(request, layout.bands[view], view);
+      for (const ViewFile& file : outputs_[view].files)
+        outputs_[view].shared.push_back(std::make_unique<SharedFile>(file.path, file.form, ranks));
+    }
+  }
 
-  // The next task's, or nothing.
-  std::shared_ptr<RenderedTask> trace(std::size_t device) {
-    const auto task = tasks_.next();
-    if (!task) return {};
-    const std::size_t view = layout_.view_of(*task), band = *task - layout_.first_tasks[view];
+  // The next band's, or nothing.
+  std::shared_ptr<RenderedBand> trace(std::size_t device) {
+    const auto next = next_band();
+    if (!next) return {};
+    const auto [view, band] = *next;
     const PictureBands& bands = layout_.bands[view];
     FrameRequest frame = request_.frame;
     frame.camera = request_.views[view].camera;
@@ -150,71 +188,45 @@ public:
     frame.rgb = request_.image.format != ImageFormat::pfm && !request_.image.srgb;
     frame.window = bands.rays(band);
     frame.count_last_row = bands.is_last(band) || frame.sampling == Sampling::centers;
-    // A process on the CPU traces tasks one by one, and that takes the time.
-    if (!sharing_.in_parts())
-      frame.progress = [&](double share) {
-        progress_((static_cast<double>(*task) + share) / static_cast<double>(layout_.tasks));
+    // A process on the CPU traces bands one by one, and that takes the time.
+    if (ranks_.count() == 1)
+      frame.progress = [this, before = static_cast<double>(layout_.before[view] + band)](double share) {
+        progress_((before + share) / static_cast<double>(layout_.all_bands));
       };
-    return std::make_shared<RenderedTask>(RenderedTask{*task, view, band, repeated(0, request_.repeat, [&] {
+    return std::make_shared<RenderedBand>(RenderedBand{view, band, repeated(0, request_.repeat, [&] {
                                                          return tracer_.render(frame, device, spare_frame());
                                                        })});
   }
 
-  // Its frame's memory then serves another task.
-  void write(RenderedTask& rendered) {
-    const auto& [task, view, band, frame] = rendered;
+  // Its frame's memory then serves another band.
+  void write(RenderedBand& rendered) {
+    const auto& [view, band, frame] = rendered;
     const Stopwatch watch;
-    std::vector<FileRange> written;
-    if (sharing_.in_parts() && layout_.has_parts(view)) {
-      for (const ViewFile& file : files_of(request_, layout_, view))
-        written.push_back(write_part(file.path, file.form, band, file.part(band, frame)));
-    } else {
-      write_alone(view, band, frame);
-      if (tasks_.keeps_journal()) {
-        for (const ViewFile& file : files_of(request_, layout_, view))
-          written.push_back(whole_file(file.path));
-      }
-    }
-    const std::uint64_t rays = layout_.bands[view].rays_counted(band);
-    const double share = tasks_.finish(task, written, {rays, 0, frame.counts});
+    layout_.is_shared(view) ? write_shared(view, band, frame) : write_alone(view, band, frame);
+    ranks_.add_finished(1);
     const std::lock_guard lock(mutex_);
+    report_.totals += {layout_.bands[view].rays_counted(band), 0, frame.counts};
     report_.seconds += frame.seconds;
     report_.write_seconds += watch.seconds();
-    if (sharing_.in_parts() || tracer_.device() == Device::cuda) progress_(share);
+    if (ranks_.count() > 1 || tracer_.device() == Device::cuda) show_progress();
     spare_frames_.push_back(std::move(rendered.frame));
   }
 
-  // Collective: when all tasks are done, makes files of what was written in parts.
-  void finish() {
-    Ranks& ranks = sharing_.ranks;
+  // Collective, when all bands are written.
+  TracingReport finish() {
     const Stopwatch watch;
-    ranks.wait_for_all([&] { progress_(tasks_.share()); });
-    const auto for_each_file_in_parts = [&](const auto& act) {
-      for (std::size_t view = 0; view < layout_.bands.size(); ++view)
-        if (layout_.has_parts(view))
-          for (const ViewFile& file : files_of(request_, layout_, view))
-            act(view, file);
-    };
-    for_each_file_in_parts([&](std::size_t view, const ViewFile& file) {
-      if (static_cast<int>(view % static_cast<std::size_t>(ranks.count())) == ranks.rank())
-        finish_parts(file.path, file.form);
-    });
-    ranks.wait_for_all();
-    if (ranks.rank() == 0) {
-      for_each_file_in_parts([](std::size_t, const ViewFile& file) {
-        std::filesystem::remove(partial_name(file.path)); // of parts that were copied
-      });
-      tasks_.remove_journals();
-    }
+    for (const Output& output : outputs_)
+      for (const auto& file : output.shared)
+        file->close();
+    ranks_.wait_for_all([&] { show_progress(); });
+    for (const Output& output : outputs_)
+      for (const auto& file : output.shared)
+        if (ranks_.rank() == 0) file->commit();
+    ranks_.wait_for_all();
     report_.write_seconds += watch.seconds();
-  }
-
-  // Collective.
-  TracingReport report() {
     report_.views = request_.views.size();
-    report_.overlaps_writing = layout_.tasks > 1 || sharing_.in_parts();
-    report_.totals = tasks_.totals();
-    sum_up(sharing_.ranks, report_);
+    report_.overlaps_writing = layout_.all_bands > 1 || ranks_.count() > 1;
+    sum_up(ranks_, report_);
     if (request_.frame.tracing.precision == Precision::automatic) report_precisions();
     return report_;
   }
@@ -228,6 +240,24 @@ private:
     return chosen.view->precision;
   }
 
+  struct NextBand {
+    std::size_t view, band;
+  };
+  std::optional<NextBand> next_band() {
+    const std::lock_guard lock(taking_);
+    if (taken_.first == taken_.end) {
+      const std::uint64_t next = ranks_.next();
+      if (next >= layout_.taken.size()) return {};
+      taken_ = layout_.taken[next];
+    }
+    return NextBand{taken_.view, taken_.first++};
+  }
+
+  void show_progress() {
+    progress_(static_cast<double>(ranks_.add_finished(0)) /
+              static_cast<double>(std::max<std::size_t>(layout_.all_bands, 1)));
+  }
+
   // Collective. Of several ranks some may have chosen for the same view.
   void report_precisions() {
     std::vector<std::uint64_t> doubled(precisions_.size());
@@ -238,7 +268,7 @@ private:
       if (!report_.precision || (report_.precision->precision == Precision::robust && doubled[view] == 1))
         report_.precision = chosen;
     }
-    sharing_.ranks.sum(doubled);
+    ranks_.sum(doubled);
     report_.double_views = static_cast<std::uint64_t>(
         std::ranges::count_if(doubled, [](std::uint64_t ranks) { return ranks > 0; }));
   }
@@ -252,40 +282,49 @@ private:
     return frame;
   }
 
-  // A view while this process writes its files alone.
   struct Output {
-    bool is_open = false;
-    std::vector<ViewFile> files;
-    std::atomic<std::size_t> written = 0; // bands
+    std::vector<ViewFile> files; // of a view
+    std::vector<std::unique_ptr<SharedFile>> shared;
+    std::vector<std::unique_ptr<PartedFile>> alone; // by this process
+    std::atomic<std::size_t> written = 0;           // bands, by this process alone
   };
+
+  void write_shared(std::size_t view, std::size_t band, const Frame& frame) {
+    const Output& output = outputs_[view];
+    for (std::size_t i = 0; i < output.files.size(); ++i)
+      output.shared[i]->write(band, output.files[i].part(band, frame));
+  }
 
   // The first band that comes opens the view's files, and the last one commits them.
   void write_alone(std::size_t view, std::size_t band, const Frame& frame) {
     Output& output = outputs_[view];
     {
       const std::lock_guard lock(mutex_);
-      if (!output.is_open) {
-        std::vector<ViewFile> files = files_of(request_, layout_, view);
-        for (ViewFile& file : files)
-          file.opened = std::make_unique<PartedFile>(file.path, file.form);
+      if (output.files.empty()) {
+        std::vector<ViewFile> files = files_of(request_, layout_.bands[view], view);
+        std::vector<std::unique_ptr<PartedFile>> opened;
+        for (const ViewFile& file : files)
+          opened.push_back(std::make_unique<PartedFile>(file.path, file.form));
         output.files = std::move(files);
-        output.is_open = true;
+        output.alone = std::move(opened);
       }
     }
-    for (const ViewFile& file : output.files)
-      file.opened->write(band, file.part(band, frame));
+    for (std::size_t i = 0; i < output.files.size(); ++i)
+      output.alone[i]->write(band, output.files[i].part(band, frame));
     if (++output.written < layout_.bands[view].count()) return;
-    for (const ViewFile& file : output.files)
-      file.opened->commit();
+    for (const auto& file : output.alone)
+      file->commit();
+    output.alone.clear();
     output.files.clear();
   }
 
   const ResidentTracer& tracer_;
   const ViewsRequest& request_;
   const Layout& layout_;
-  const Sharing& sharing_;
+  Ranks& ranks_;
   const std::function<void(double)>& progress_;
-  TaskList tasks_;
+  std::mutex taking_; // of taken_
+  Layout::Bands taken_{};
   std::mutex mutex_; // of what follows
   std::vector<Output> outputs_;
   struct ChosenPrecision {
@@ -300,17 +339,23 @@ private:
 
 } // namespace
 
-TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& request, const Sharing& sharing,
+TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& asked, Ranks& ranks,
                            const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  const Layout layout(request);
-  ViewsRenderer renderer(tracer, request, layout, sharing, progress);
+  TracingReport kept;
+  ViewsRequest rest;
+  const bool resumes = asked.resume != Resume::off;
+  if (resumes) rest = without_kept(asked, ranks, kept);
+  const ViewsRequest& request = resumes ? rest : asked;
+  const Layout layout(request, ranks);
+  ViewsRenderer renderer(tracer, request, layout, ranks, progress);
   run_tasks(
-      tracer, tasks_under_way(tracer, layout.largest_task()),
+      tracer, tasks_under_way(tracer, layout.largest_band()),
       [&](std::size_t device) { return renderer.trace(device); },
-      [&](RenderedTask& rendered) { renderer.write(rendered); });
-  if (sharing.in_parts()) renderer.finish();
-  TracingReport report = renderer.report();
+      [&](RenderedBand& rendered) { renderer.write(rendered); });
+  TracingReport report = renderer.finish();
+  report.files = kept.files;
+  report.kept = kept.kept;
   report.elapsed_seconds = watch.seconds();
   return report;
 }

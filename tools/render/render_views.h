@@ -4,9 +4,10 @@
 
 #include "renderer/image/image.h"
 #include "renderer/tracer/tracer.h"
+#include "tools/jobs/kept_file.h"
+#include "tools/jobs/tracing_report.h"
 #include "tools/lists/hit_file.h"
 #include "tools/render/views.h"
-#include "tools/report/tracing_report.h"
 
 #include <functional>
 #include <string>
@@ -25,14 +26,15 @@ struct ViewsRequest {
   std::vector<ViewFiles> files{};     // one for each view
   ImageOptions image{};               // texts: the same for all views, and then each view's own
   std::vector<HitField> hit_fields{}; // of HitRecord
-  std::string description{};          // of the scene and of the options that the files depend on
-  int repeat = 1;                     // trace each view so often; seconds are medians
+  Resume resume = Resume::off;
+  int repeat = 1; // trace each view so often; seconds are medians
 };
 
 // Collective (tools/jobs/ranks.h). Files are the same bytes for any number of ranks, devices and threads.
-// `progress` gets the finished share, from any thread. When it throws (Error of the tracer and of output
-// files), files of some views have been written, each whole.
-TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& request, const Sharing& sharing,
+// With `resume` files that are there are kept, and views without others aren't traced; the report has the
+// others'. `progress` gets the finished share, from any thread. When it throws (Error of the tracer and of
+// output files), files of some views have been written, each whole.
+TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& request, Ranks& ranks,
                            const std::function<void(double)>& progress);
 
 } // namespace masu

@@ -1,4 +1,4 @@
-#include "tools/report/tracing_report.h"
+#include "tools/jobs/tracing_report.h"
 
 namespace masu {
 
