@@ -1,17 +1,13 @@
-// gridbench: speed of tracing and loading, and accuracy.
+// gridbench: speed and accuracy of tracing.
 #include "tools/bench/bench.h"
 #include "tools/common/cli.h"
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool("gridbench", "Measures the speed and accuracy of tracing, and the speed of loading.", argc,
-                  argv, [](const CommandLine& command, const auto& parse) {
+  return run_tool("gridbench", "Measures the speed and accuracy of tracing.", argc, argv,
+                  [](const CommandLine& command, const auto& parse) {
                     add_frame(command);
                     add_rays(command);
-                    add_lists(command);
-                    add_scale(command);
-                    add_load(command);
-                    add_refit(command);
                     add_tradeoff(command);
                     add_stability(command);
                     add_oracle(command);

@@ -259,7 +259,6 @@ gridstat ~/a.grid [|--json]                                                     
 gridbench rays ~/a.scene ~/a.grid --random 100 --repeat 1 --warm-up 0 --size 16x12 [|--json] > standard output
 gridbench frame ~/a.scene ~/a.grid --repeat 1 --warm-up 0 --size 16x12 [|--json]      > standard output
 gridbench stability --sweep tip --count 10 [|--json]                                  > standard output
-gridbench load ~/a.scene ~/a.grid --repeat 1 [|--json]                                > standard output
 )";
   expect_refused(3, printing, {.output = "/dev/full"});
   expect_refused(3, printing, {.closed = {1}});
@@ -437,7 +436,7 @@ TEST_F(BadFiles, OrOptionsOfASubcommandPointToItsHelp) {
     return fails(1, "gridbench", arguments, place, ": see " + command + " --help\n");
   };
   for (const char* const name :
-       {"rays", "frame", "load", "tradeoff", "stability", "oracle", "crossings", "difference"}) {
+       {"rays", "frame", "tradeoff", "stability", "oracle", "crossings", "difference"}) {
     EXPECT_TRUE(points_to({name, "--no-such-option"}, std::string("gridbench ") + name, "--no-such-option"));
     EXPECT_NE(run("gridbench", {name, "--help"}).out.find("--json"), std::string::npos) << name;
   }
@@ -451,7 +450,7 @@ TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {
   const Surroundings no_device{"/dev/null", {}, "CUDA_VISIBLE_DEVICES=-1"};
   constexpr std::string_view commands = R"(
 gridrender ~/a.scene ~/a.grid -o ~/new.png [--backend cuda|--devices all|--devices 0|--devices 0,1] > cuda: --backend cpu
-gridbench load ~/a.scene ~/a.grid --backend cuda                                                    > cuda: --backend cpu
+gridbench rays ~/a.scene ~/a.grid --backend cuda                                                    > cuda: --backend cpu
 gridbuild ~/a.scene -o ~/new.grid --device cuda                                                     > cuda: --device cpu
 )";
   expect_refused(4, commands, no_device);
@@ -486,7 +485,7 @@ TEST_F(ToolErrors, AreLinesAlone) {
   EXPECT_TRUE(fails(2, "gridview", {none, grid}, none));
   EXPECT_TRUE(fails(2, "gridbench", {"crossings", none, grid}, none));
   EXPECT_TRUE(fails(2, "gridbench", {"rays", none, grid}, none));
-  EXPECT_TRUE(fails(2, "gridbench", {"scale", none, grid}, none));
+  EXPECT_TRUE(fails(2, "gridbench", {"frame", none, grid}, none));
 }
 
 // Not even by a zero byte.

@@ -559,48 +559,6 @@ TEST_F(Tools, TrianglesThatLieOnEachOtherAreBuiltInBoundedMemory) {
   EXPECT_LE(built["references"].get<double>(), 0x1p25 + 256.0 * count);
 }
 
-TEST_F(Tools, BenchLoadComparesLoadingWithPlainCopies) {
-  const auto info = json_of("gridbench", {"load", scene_, grid_, "--backend", "cpu", "--repeat", "3"});
-  EXPECT_EQ(info["bytes"], std::filesystem::file_size(scene_) + std::filesystem::file_size(grid_));
-  const auto& seconds = info["median_seconds"];
-  for (const char* const name : {"map", "validate", "load", "copy_mapped", "copy_read"})
-    EXPECT_GT(seconds[name].get<double>(), 0) << name;
-  EXPECT_EQ(seconds["upload"], 0);
-  EXPECT_DOUBLE_EQ(info["load_over_copy"]["mapped"].get<double>(),
-                   seconds["load"].get<double>() / seconds["copy_mapped"].get<double>());
-}
-
-TEST_F(Tools, BenchScaleMeasuresEachWorkInStrongAndWeakScaling) {
-  const std::string folder = folder_.path().string(), charts = file("charts");
-  const auto info =
-      json_of("gridbench", {"scale",   scene_,     grid_,    "--devices", "cpu",     "--threads", "2",
-                            "--views", "4",        "--size", "16x12",     "--large", "64",        "--rays",
-                            "3000",    "--repeat", "1",      "--folder",  folder,    "--charts",  charts});
-  std::set<std::string> found;
-  for (const auto& row : info) {
-    const auto work = row["work"].get<std::string>(), scaling = row["scaling"].get<std::string>();
-    const auto workers = row["workers"].get<int>();
-    EXPECT_TRUE(found.insert(fmt::format("{} {} {}", work, scaling, workers)).second);
-    for (const char* const name : {"rays", "seconds", "mrays_per_second", "speedup", "efficiency"})
-      EXPECT_GT(row[name].get<double>(), 0) << work << ' ' << name;
-    if (workers == 1) {
-      EXPECT_EQ(row["efficiency"], 1);
-    }
-    EXPECT_DOUBLE_EQ(row["speedup"].get<double>(), row["efficiency"].get<double>() * workers);
-    // Of weak scaling one of two workers has half of the work.
-    if (work == "list") {
-      EXPECT_EQ(row["rays"], scaling == "weak" && workers == 1 ? 1500 : 3000);
-    }
-    if (work == "views") {
-      EXPECT_EQ(row["rays"], (scaling == "weak" && workers == 1 ? 2 : 4) * 17 * 13);
-    }
-  }
-  EXPECT_EQ(found.size(), 3U * 2 * 2);
-  EXPECT_TRUE(std::filesystem::exists(charts + "/scale.csv"));
-  for (const std::string& name : folder_.listing())
-    EXPECT_FALSE(name.starts_with("masu-scale-")) << name << " was left behind";
-}
-
 // CSV of several grids can be joined: the columns don't depend on the kind of grid.
 TEST_F(Tools, GridstatsCsvHasTheSameColumnsForEveryGrid) {
   std::set<std::string> headers;

@@ -8,10 +8,6 @@ namespace masu {
 
 void add_frame(const CommandLine& command);
 void add_rays(const CommandLine& command);
-void add_lists(const CommandLine& command);
-void add_scale(const CommandLine& command);
-void add_load(const CommandLine& command);
-void add_refit(const CommandLine& command);
 void add_tradeoff(const CommandLine& command);
 void add_stability(const CommandLine& command);
 void add_oracle(const CommandLine& command);

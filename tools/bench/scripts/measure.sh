@@ -18,16 +18,9 @@ nffgen tetra --size 1 | nff2bin - -o probe.scene -q || exit 2
 backend=${3:-$(gridbuild probe.scene -o probe.grid --device cuda -q 2>probe.err && echo cuda || echo cpu)}
 standard=(balls gears mount rings teapot tetra tree)
 
-# record SECTION KEY COMMAND…: runs the command, keeps what it prints, and how long it took in microseconds. At most
-# `limit` seconds (120).
-record() {
-  local section=$1 key=$2 began=$EPOCHREALTIME status
-  shift 2
-  timeout "${limit:-120}" "$@" >"raw/$section.$key.out" 2>"raw/$section.$key.err"
-  status=$?
-  printf '%s\t%s\t%s\t%s\t%s\n' "$section" "$key" "$status" $((${EPOCHREALTIME/./} - ${began/./})) "$*" >>runs.tsv
-  [ $status = 0 ] || echo "  failed ($status): $*: $(tail -n 1 "raw/$section.$key.err")" >&2
-}
+# record SECTION KEY COMMAND…: runs the command, keeps what it prints and took (measured.py). At most `limit` seconds
+# (120).
+record() { python3 -B "$here/measured.py" "${limit:-120}" "$@"; }
 at_once() { xargs -P "$cores" -d '\n' -I{} bash -c '{}'; } # lines of standard input as commands, one a core
 
 machine() {

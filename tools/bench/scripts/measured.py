@@ -1,20 +1,52 @@
-"""What scripts that measure documents have in common: results of measure.sh, figures, tables, and where they go."""
+"""What scripts that measure documents have in common: results of measure.sh, figures, tables, and where they go.
+
+measured.py LIMIT SECTION KEY COMMAND…   runs a command for measure.sh: what it prints goes to raw/, and to runs.tsv a line:
+                                         section, key, status, seconds elapsed and of processor, bytes of resident memory
+                                         at most, command
+"""
 import argparse
 import json
+import os
 import pathlib
 import re
+import signal
+import subprocess
+import sys
+import time
 
 STANDARD = "balls gears mount rings teapot tetra tree".split()
+
+
+def record(limit, section, key, *command):
+    name = f"raw/{section}.{key}"
+    began = time.monotonic()
+    with open(name + ".out", "wb") as out, open(name + ".err", "wb") as err:
+        try:
+            process = subprocess.Popen(command, stdout=out, stderr=err)
+        except OSError as error:
+            sys.exit(f"  failed: {error}")
+        signal.signal(signal.SIGALRM, lambda *_: process.kill())
+        signal.alarm(int(limit))
+        _, status, usage = os.wait4(process.pid, 0)
+        signal.alarm(0)
+    status = os.waitstatus_to_exitcode(status)
+    figures = status, time.monotonic() - began, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024
+    with open("runs.tsv", "a") as runs:
+        print(section, key, *figures, " ".join(command), sep="\t", file=runs)
+    if status != 0:
+        said = pathlib.Path(name + ".err").read_text(errors="replace").strip().splitlines()[-1:]
+        print(f"  failed ({status}): {' '.join(command)}: {''.join(said)}", file=sys.stderr)
 
 
 def gather(folder):
     runs = {}
     for line in (folder / "runs.tsv").read_text().splitlines():
-        section, key, status, microseconds, command = line.split("\t")
-        run = {"command": command, "status": int(status), "elapsed_seconds": int(microseconds) * 1e-6}
+        section, key, status, seconds, processor, peak, command = line.split("\t")
+        run = {"command": command, "status": int(status), "elapsed_seconds": float(seconds),
+               "cpu_seconds": float(processor), "peak_bytes": int(peak)}
         text = (folder / "raw" / f"{section}.{key}.out").read_text()
         if status == "0":
-            run["output"] = json.loads(text) if text else None
+            run["output"] = json.loads(text) if text[:1] in ("[", "{") else text or None
         else:
             run["error"] = (folder / "raw" / f"{section}.{key}.err").read_text()
         runs.setdefault(section, {})[key] = run
@@ -81,3 +113,7 @@ def run_script(description, tables, gather_more=lambda results, folder: None):
         document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + "\n" + found[3], document.read_text()))
     if not given.into:
         print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))
+
+
+if __name__ == "__main__":
+    record(*sys.argv[1:])

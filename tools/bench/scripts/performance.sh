@@ -4,8 +4,10 @@
 # BIN has the programs. OUT gets results.json, every command with its output, and performance.md, the tables that
 # performance_tables.py makes of it; that script also puts them into the documents. Without a third argument: cuda if
 # there is a usable GPU; without one, sections that need it are left out. A command that fails costs its figures alone.
-# MASU_SECTIONS: only these, with spaces between. MASU_QUICK=1: tiny sizes, to try the script. MASU_SCENES: more scene files for the section choice, as full paths, with
-# spaces between. Needs python3, and 4 GB in TMPDIR (default /tmp).
+# MASU_SECTIONS="prepare embree": only these. MASU_QUICK=1: tiny sizes, to try the script.
+# MASU_SCENES: more scene files for the section choice, as full paths, with spaces between. Needs python3, and 4 GB in
+# TMPDIR (default /tmp). The last sections aren't run unless they are named: embree (masu_cpu_rays), library and arrays
+# (PYTHON, an interpreter with NumPy, with a GPU PyTorch), scale (10 GB of memory and disk), gpus (several GPUs).
 source "$(dirname "$0")/measure.sh"
 
 devices=$(if [ "$backend" = cuda ]; then echo cuda cpu; else echo cpu; fi)
@@ -110,12 +112,32 @@ division() {
     frame division "$name" "$name" "$(echo "$name".none-*.grid)" --schedule hardware
   done
 }
+# What `gridbuild --structure fastest` considers, and the rates of rays through each.
 choice() {
-  local limit=300
+  local scene name i structure division options
+  for scene in "$@"; do
+    name=$(basename "$scene" .scene)
+    record choice "$processor.$name" gridbuild "$scene" -o choice.grid --structure fastest --for "$processor" --json -q
+    python3 -c 'import json, sys
+for i, one in enumerate(json.load(open(sys.argv[1])).get("considered", [])):
+    print(i, one["structure"], "x".join(map(str, one["division"])))' "raw/choice.$processor.$name.out" >considered.txt
+    while read -r i structure division; do
+      options="--merge ${structure/uniform/none} --division $division"
+      [ "$structure" = bvh ] && options="--structure bvh"
+      # shellcheck disable=SC2086 # options are a list
+      gridbuild "$scene" -o choice.grid -q $options </dev/null
+      record choice "$processor.$name.$i" gridbench rays "$scene" choice.grid --sets primary,diffuse,random --json \
+        "${rays[@]}" --warm-up "$(full 3 0)" --repeat "$(full 9 1)" </dev/null
+    done <considered.txt
+  done
+}
+choices() {
+  local processor rays
+  processor=gpu rays=(--backend cuda --size "$size" --random "$(full 1048576 1000)")
   # shellcheck disable=SC2086 # MASU_SCENES is a list
-  [ "$backend" = cuda ] && record choice gpu "$here/choice.py" measure "$bin" gpu \
-    "${standard[@]/%/.scene}" "${large[@]/%/.scene}" ${MASU_SCENES:-}
-  record choice cpu "$here/choice.py" measure "$bin" cpu "${standard[@]/%/.scene}"
+  [ "$backend" = cuda ] && choice "${standard[@]/%/.scene}" "${large[@]/%/.scene}" ${MASU_SCENES:-}
+  processor=cpu rays=(--backend cpu --size "$(full 256x256 32x32)" --random "$(full 262144 1000)")
+  choice "${standard[@]/%/.scene}"
 }
 schedules() { for name in balls rings teapot; do frame schedules "$name" "$name" "$name.grid" --general; done; }
 kernels() {
@@ -160,17 +182,79 @@ merge() {
   gridbuild teapot.scene -o irregular.grid -q --merge irregular
   for mode in none x balance irregular; do record merge $mode gridstat $mode.grid --json; done
 }
-load() {
-  record load files gridbench load mount-10.scene mount-10.grid --backend "$backend" --json
-  picture load trace mount-10 mount-10 mount-10.pfm --backend "$backend" --repeat $repeat
-}
+load() { for run in 0 1 2 3; do picture load $run mount-10 mount-10 mount-10.pfm --backend "$backend"; done; } # 0 warms up
 lists() {
   for name in mount-8 balls-5; do
-    record lists $name gridbench lists $name.scene $name.grid --count "$(full 100000000 1000)" --json
+    gridbench rays $name.scene $name.grid --sets random --random "$(full 16777216 1000)" --save rays. --repeat 1 --warm-up 0 \
+      --backend "$backend" >/dev/null
+    for run in 1 2 3; do
+      record lists $name.$run gridtrace $name.scene $name.grid rays.random.f64 --ray-numbers 8 --relative -o hits \
+        --write t,primitive --backend "$backend" --times - -q
+    done
+    rm -f rays.random.f64 hits
   done
 }
 
-sections="prepare builds pictures one_core png views division cells merge load rays fastest hierarchies choice schedules"
-[ "$backend" = cuda ] && sections+=" kernels lists"
+# --- Unless named, not run --------------------------------------------------------------------------------------------
+
+# On the CPU beside Embree: triangles alone.
+embree() {
+  local limit=600 name
+  for name in teapot-60 mount-10-triangles tetra-9 tetra-10 balls-triangles gears rings-triangles tree-triangles; do
+    [ -e "$name-bvh.grid" ] || gridbuild "$name.scene" -o "$name-bvh.grid" --structure bvh -q
+    # shellcheck disable=SC2046 # options
+    record embree "$name" masu_cpu_rays "$name.scene" "$name-bvh.grid" --repeat "$(full 15 1)" \
+      $(full '' '--size 32x32 --random 1000')
+  done
+}
+module() { # COMMAND…: with the Python module
+  PYTHONPATH=$here/../../../api/python MASU_LIBRARY=${MASU_LIBRARY:-$bin/../api/libmasu.so} "$@"
+}
+library() {
+  local limit=600 name
+  for name in teapot-60 balls tetra-9 mount-10; do
+    gridbuild $name.scene -o library.grid -q
+    record library $name.gridbench gridbench rays $name.scene library.grid --sets primary,diffuse,random --save rays. \
+      --size "$size" --random "$(full 1048576 1000)" --backend "$backend" --warm-up $warm_up --repeat $repeat --json
+    module record library $name "${PYTHON:-python3}" -B "$here/library.py" rates $name.scene library.grid rays.
+    rm -f rays.*
+  done
+}
+arrays() {
+  for device in $devices; do
+    module record arrays "$device" "${PYTHON:-python3}" -B "$here/library.py" arrays "$(full 2097152 1000)" "$device"
+  done
+}
+# Time and memory by the size of the scene.
+scale() {
+  local limit=3600 n
+  for n in $(full '10 11 12 13' '2 3'); do
+    nffgen tetra --size "$n" | record scale "$n.nff2bin" nff2bin - -o scale.scene -q
+    record scale "$n.irregular" gridbuild scale.scene -o scale-"$n".irregular.grid --merge irregular -q
+    record scale "$n.gridrender" gridrender scale.scene scale-"$n".irregular.grid -o scale.pfm --size 64x64 --backend cpu -q
+    record scale "$n.bvh" gridbuild scale.scene -o scale-"$n".bvh.grid --structure bvh -q
+    mv scale.scene scale-"$n".scene
+    for file in scale-"$n".*; do truncate -r "$file" "$file.size" && mv "$file.size" "$file"; done # its size alone is kept
+  done
+}
+# Views, and one large view, by one GPU, two, and so on; on a CPU by threads.
+gpus() {
+  local limit=600 n workers
+  for n in $(python3 -c "n = 1
+while n <= $(if [ "$backend" = cuda ]; then nvidia-smi -L | wc -l; else echo "$cores"; fi): print(n); n *= 2"); do
+    workers=(--threads "$n")
+    [ "$backend" = cuda ] && workers=(--devices "$(seq -s, 0 $((n - 1)))")
+    for run in 1 2 3; do
+      record gpus "views.$n.$run" gridrender mount-10.scene mount-10.grid -o 'view-{index}.png' --turntable "$(full 400 4)" \
+        --size "$size" --backend "$backend" "${workers[@]}" --times -
+      record gpus "large.$n.$run" gridrender mount-10.scene mount-10.grid -o view-0.png --size "$(full 16384x16384 256x256)" \
+        --backend "$backend" "${workers[@]}" --times -
+      rm -f view-*.png
+    done
+  done
+}
+
+sections="prepare builds pictures one_core png views division cells merge load lists rays fastest hierarchies choices schedules"
+[ "$backend" = cuda ] && sections+=" kernels"
 # shellcheck disable=SC2086 # a list
 measure performance ${MASU_SECTIONS:-$sections}

@@ -5,11 +5,16 @@ performance_tables.py RESULTS.json                  prints them as markdown
 performance_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
                                                     <!-- table NAME --> … <!-- end -->
 performance_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of performance.sh's working folder first
+performance_tables.py RESULTS.json --fit            prints the unit costs (libgrid/structure/sampled_costs.cpp) by which the choice
+                                                    of a structure would be best for what section choices measured
 """
+import json
+import math
 import pathlib
+import random
 import statistics
+import sys
 
-from choice import CHOICES, chosen, outcomes
 from measured import STANDARD, figure, head, made_by, run_script, table
 
 LARGE = "teapot-60 mount-10-triangles tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
@@ -27,6 +32,74 @@ PEERS = peer_rates()
 # Steps and tests a ray, of the pictures of 513x513 pixels: the least of the grids and octrees that V. Havran compared.
 HAVRAN = dict(balls=25.8, gears=35.5, mount=26.9, rings=38.6, teapot=34.4, tetra=25.5, tree=13.6)
 
+
+# --- The choice of a structure -------------------------------------------------------------------------------------
+
+STRUCTURES = "uniform", "irregular", "bvh"
+CHOICES = {"--structure fastest": STRUCTURES, "--merge auto": STRUCTURES[:2], "--merge irregular": STRUCTURES[1:2]}
+
+
+def considered(results, processor):
+    """For each scene what was considered, as gridbuild says it, with the geometric mean of its rates."""
+    runs, found = results["runs"]["choice"], {}
+    for key, run in runs.items():
+        of, _, scene = key.partition(".")
+        if of != processor or "considered" not in (run.get("output") or ()):
+            continue
+        found[scene] = rows = []
+        for i, one in enumerate(run["output"]["considered"]):
+            rates = [row["mrays_per_second"] for row in runs[f"{key}.{i}"]["output"]]
+            rows.append({**one, "rate": statistics.geometric_mean(rates)})
+    return found
+
+
+def chosen(rows, time):
+    """As gridbuild chooses by the expected time: what comes first, unless another takes clearly less."""
+    best = rows[0]
+    for row in rows[1:]:
+        if time(row) < 0.95 * time(best):
+            best = row
+    return best
+
+
+def outcomes(results, time):
+    """For each scene and choice: its name, the scene's, and the rate of what is chosen over that of the fastest."""
+    for choice, structures in CHOICES.items():
+        for scene, rows in results.items():
+            rows = [row for row in rows if row["structure"] in structures]
+            if rows:
+                yield choice, scene, chosen(rows, time)["rate"] / max(row["rate"] for row in rows)
+
+
+def fit(results):
+    """Units with the best geometric mean over all scenes and choices, by a random search from several starts."""
+    def expected(row):  # as expected_time() has it
+        step, test = units[row["structure"]]
+        return statistics.geometric_mean(step * row[name][0] + test * row[name][1]
+                                         for name in ("across", "aimed", "scattered"))
+
+    def loss(time):
+        return -statistics.fmean(math.log(ratio) for _, _, ratio in outcomes(results, time))
+
+    random.seed(1)
+    best = math.inf, {}
+    for _ in range(8):
+        units = {name: [math.exp(random.gauss(0, 0.5)) for _ in range(2)] for name in STRUCTURES}
+        least, kept = loss(expected), units
+        for turn in range(1500):
+            units = {name: list(pair) for name, pair in kept.items()}
+            units[random.choice(STRUCTURES)][random.randrange(2)] *= math.exp(random.gauss(0, 0.4 * 0.998**turn))
+            if (value := loss(expected)) <= least:
+                least, kept = value, units
+        best = min(best, (least, kept), key=lambda pair: pair[0])
+    one = best[1]["irregular"][0]
+    for name, pair in best[1].items():
+        print(f"{name:10} step {pair[0] / one:.2f}, test {pair[1] / one:.2f}")
+    print(f"chosen over fastest: {math.exp(-best[0]):.3f} by these, "
+          f"{math.exp(-loss(lambda row: row['expected_time'])):.3f} as it is")
+
+
+# --- Tables --------------------------------------------------------------------------------------------------------
 
 def fastest(results, scene):
     """The name of the grid that `--structure fastest` takes: the scene's irregular one, or its hierarchy."""
@@ -90,12 +163,12 @@ def tables(results):
     def choice():
         rows = []
         for processor in ("gpu", "cpu") if cuda else ("cpu",):
-            results = output("choice", processor)
+            of_scenes = considered(results, processor)
             ratios = {(rule, scene): ratio for rule, scene, ratio
-                      in outcomes(results, lambda row: row["expected_time"])}
-            for scene, considered in results.items():
-                best = lambda key: "{structure} {division[0]}".format(**key(considered)) if considered else "-"
-                rows.append([processor, pathlib.Path(scene).stem, best(lambda all: chosen(all, lambda r: r["expected_time"])),
+                      in outcomes(of_scenes, lambda row: row["expected_time"])}
+            for scene, candidates in of_scenes.items():
+                best = lambda key: "{structure} {division[0]}".format(**key(candidates)) if candidates else "-"
+                rows.append([processor, scene, best(lambda all: chosen(all, lambda r: r["expected_time"])),
                              best(lambda all: max(all, key=lambda r: r["rate"])),
                              *(figure(lambda: ratios[rule, scene], "{:.2f}") for rule in CHOICES)])
             mean = lambda rule: statistics.geometric_mean(ratio for (of, _), ratio in ratios.items() if of == rule)
@@ -215,27 +288,101 @@ def tables(results):
         return table(["scene", "primitives", "set-up", "upload", "build", "download", "GPU, whole",
                       f"{machine['cores']} cores", "one core"], [row(s) for s in STANDARD + LARGE])
 
+    def middle_of(section, *keys):
+        """Of the runs with these keys: the median of each of the seconds that the tool prints."""
+        all_seconds = [output(section, key)["seconds"] for key in keys]
+        return {what: statistics.median(of[what] for of in all_seconds) for what in all_seconds[0]}
+
     def load():
-        part = lambda *names: ms(lambda: sum(output("load", "files")["median_seconds"][name] for name in names))
-        rows = [["map; validate; upload", "; ".join(part(name) for name in ("map", "validate", "upload"))],
-                ["load: the sum", part("load")],
-                ["plain copy of the mapped files; by `read(2)`", f"{part('copy_mapped')}; {part('copy_read')}"],
-                ["load / plain copy", figure(lambda: output("load", "files")["load_over_copy"]["mapped"], "{:.2f}")],
-                ["trace 1024×1024", ms(lambda: seconds("load", "trace"))]]
-        return table([figure(lambda: output("load", "files")["bytes"] * 1e-6, "{:.0f} MB"), "ms"], rows)
+        times = middle_of("load", "1", "2", "3")
+        steps = [times[name] for name in ("map", "validate", "upload")]
+        size_of = sum(size.get(f"mount-10.{kind}", 0) for kind in ("scene", "grid"))
+        return table([f"{size_of * 1e-6:.0f} MB", "ms"],
+                     [["map; validate; upload", "; ".join(ms(lambda: step) for step in steps)],
+                      ["load: the sum", ms(lambda: sum(steps))],
+                      ["trace 1024×1024", ms(lambda: times["trace"])]])
 
     def lists():
-        rows = [[s, row["memory"].replace("_", "-"), f"{row['count']:,}", ms(lambda: row["median_seconds"]),
-                 f"{row['mrays_per_second']:.0f}", ms(lambda: row["kernel_seconds"]),
-                 ms(lambda: row["plain_copy_seconds"]), f"{row['plain_copy_over_list']:.2f}"]
-                for s in ("mount-8", "balls-5") for row in output("lists", s)]
-        return table(["scene", "memory", "rays", "list, ms", "Mray/s", "kernels, ms", "plain copies, ms",
-                      "copies / list"], rows)
+        def row(s):
+            keys = [f"{s}.{run}" for run in (1, 2, 3)]
+            whole = statistics.median(runs["lists"][key]["elapsed_seconds"] for key in keys)
+            times = middle_of("lists", *keys)
+            return [s, *(ms(lambda: times[what]) for what in ("trace", "download", "write")), ms(lambda: whole)]
+        return table(["scene", "trace, ms", "download, ms", "write, ms", "whole process, ms"],
+                     [row(s) for s in ("mount-8", "balls-5")])
+
+    def embree():
+        """What masu_cpu_rays prints: of each set Masu's rate, Embree's and their ratio; of primary rays that of packets."""
+        def cells(text):
+            found = {}
+            for line in text.splitlines():
+                words = line.split()
+                if words[:1] and words[0] in ("primary", "diffuse", "random") and words[1] in ("1", "all") and words[-1] != "-":
+                    who = "packets" if "packets" in words else "Embree" if words[2] == "Embree" else "Masu"
+                    found[words[1], words[0], who] = words[-2], words[-1]
+            for threads in ("1", "all"):
+                for kind in ("primary", "diffuse", "random"):
+                    ours, ratio = found.get((threads, kind, "Masu"), "--")
+                    yield f"{ours}, {found.get((threads, kind, 'Embree'), '-')[0]} ({ratio})"
+                    if kind == "primary":
+                        yield found.get((threads, kind, "packets"), "-")[0]
+        sets = ["primary", "packets", "diffuse", "random"]
+        return table(["scene", f"one core: {sets[0]}", *sets[1:], f"all cores: {sets[0]}", *sets[1:]],
+                     [[s, *cells(run["output"])] for s, run in runs["embree"].items() if "output" in run])
+
+    def library():
+        rows, names = [], []
+        for s in ("teapot-60", "balls", "tetra-9", "mount-10"):
+            bench = {row["rays"]: row["mrays_per_second"] for row in output("library", f"{s}.gridbench")}
+            for kind, rates in output("library", s).items():
+                hits = rates.pop("hits_a_ray")
+                names = list(rates)
+                rows.append([f"{s}, {kind}", f"{bench[kind]:.4g}", f"{rates['nearest']:.4g} ({rates['nearest'] / bench[kind]:.2f})",
+                             *(f"{rate:.4g}" for name, rate in rates.items() if name != "nearest"), f"{hits:.2f}"])
+        return table(["scene, rays", "gridbench", "nearest (its ratio)", *names[1:], "hits per ray"], rows)
+
+    def arrays():
+        rows = []
+        for place, run in runs["arrays"].items():
+            last, updates = run["output"]["runs_ms"][-1], run["output"]["update_ms"]
+            rows.append([place, f"{run['output']['triangles']:,}", *(f"{part:.3g}" for part in last.values()),
+                         f"{sum(last.values()):.3g}", "; ".join(f"{ms:.3g} ({where})" for where, ms in updates.items())])
+        return table(["on", "triangles", "scene, ms", "build, ms", "tracer, ms", "first hit, ms", "all, ms", "update from, ms"],
+                     rows)
+
+    def scale():
+        tools = {"nff2bin": "nff2bin, from a pipe", "irregular": "gridbuild --merge irregular",
+                 "bvh": "gridbuild --structure bvh", "gridrender": "gridrender, 64×64 rays"}
+        files = {"nff2bin": "scene", "irregular": "irregular.grid", "bvh": "bvh.grid"}
+        rows = []
+        for tool, text in tools.items():
+            for key, run in runs["scale"].items():
+                n, _, of = key.partition(".")
+                if of == tool:
+                    rows.append([text, f"{4 ** int(n):,}", f"{run['cpu_seconds']:.1f}", f"{run['elapsed_seconds']:.1f}",
+                                 f"{run['peak_bytes'] * 1e-6:,.0f}",
+                                 figure(lambda: size[f"scale-{n}.{files[tool]}"] * 1e-6, "{:,.0f}")])
+        return table(["tool", "triangles", "CPU, s", "elapsed, s", "peak, MB", "file, MB"], rows)
+
+    def gpus():
+        """Speed-up by the seconds of the whole process."""
+        whole = {}
+        for key, run in runs["gpus"].items():
+            work, n, _ = key.split(".")
+            whole.setdefault((work, int(n)), []).append(run["elapsed_seconds"])
+        rows = [[work, f"{n}", f"{statistics.median(times):.3g}",
+                 f"{statistics.median(whole[work, 1]) / statistics.median(times):.2f}"]
+                for (work, n), times in sorted(whole.items(), reverse=True)]
+        return table(["work", "GPUs" if cuda else "threads", "s", "speed-up"], rows)
 
     makers = (readme, pictures, png, views, choice, cells, division, merge, triangles, curved, hierarchies,
-              fastest_pictures, peers, schedules, kernels, load, builds, lists)
-    return {"head": head(results), **made_by(makers, {} if cuda else {kernels, lists})}
+              fastest_pictures, peers, schedules, kernels, load, builds, lists, embree, library, arrays, scale, gpus)
+    return {"head": head(results), **made_by(makers, {} if cuda else {kernels})}
 
 
 if __name__ == "__main__":
-    run_script(__doc__, tables)
+    if sys.argv[2:] == ["--fit"]:
+        measured_runs = json.loads(pathlib.Path(sys.argv[1]).read_text())
+        fit({f"{of} {scene}": rows for of in ("gpu", "cpu") for scene, rows in considered(measured_runs, of).items()})
+    else:
+        run_script(__doc__, tables)
