@@ -6,7 +6,7 @@
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/statistics/statistics.h"
 #include "libgrid/structure/builder.h"
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 namespace masu {
 

@@ -4,9 +4,9 @@
 
 #include "libgrid/grid/merge.h"
 #include "libscene/geometry/ray.h"
+#include "stability/same_bits.h"
+#include "stability/test_scene.h"
 #include "tests/random_grid.h"
-#include "tests/stability/same_bits.h"
-#include "tests/stability/test_scene.h"
 
 namespace masu {
 

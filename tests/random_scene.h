@@ -2,7 +2,7 @@
 // faces of voxels, ties.
 #pragma once
 
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 namespace masu {
 

@@ -1,7 +1,7 @@
 // The base of tests with random numbers. What fails says how to repeat it.
 #pragma once
 
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

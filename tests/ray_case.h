@@ -7,8 +7,8 @@
 
 #include "libgrid/trace/trace.h"
 #include "renderer/counts.h"
-#include "tests/stability/oracle/oracle.h"
-#include "tests/stability/test_scene.h"
+#include "stability/oracle/oracle.h"
+#include "stability/test_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/scene.h"
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 namespace masu {
 

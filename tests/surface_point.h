@@ -1,7 +1,7 @@
 // Random points of primitives' surfaces: anywhere, and often on edges, corners, poles and rims.
 #pragma once
 
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 namespace masu {
 

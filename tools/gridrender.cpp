@@ -51,7 +51,7 @@ int quality_of(const Settings& settings) {
 // Whether anything but channels is to be traced.
 bool wants_picture(const Settings& settings) {
   return (!settings.output.empty() && !settings.no_picture) || !settings.hits.empty() ||
-         settings.tracing.has_report();
+         !settings.tracing.report().empty();
 }
 
 void check(const Settings& settings, const Ranks& ranks) {
@@ -205,7 +205,7 @@ void refuse_useless(const CommandLine& command, const Settings& settings) {
 void render(const Settings& settings, Ranks& ranks) {
   check(settings, ranks);
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
-  const OpenedScene opened("gridrender", settings.tracing, settings.tracing.devices.gpus(ranks));
+  const OpenedScene opened("gridrender", settings.tracing, gpus_of(settings.tracing.devices, ranks));
   const ViewsRequest views = views_request(settings, opened, ranks);
   TracingReport report;
   if (wants_picture(settings)) report = render_pictures(opened.tracer(), views, ranks, quiet);
@@ -288,7 +288,7 @@ int main(int argc, char** argv) {
                           Settings settings;
                           add_options(command, settings);
                           Ranks& ranks = parse();
-                          const auto limit = settings.tracing.limit_threads(ranks);
+                          const auto limit = limit_threads(settings.tracing, ranks);
                           refuse_useless(command, settings);
                           render(settings, ranks);
                         });

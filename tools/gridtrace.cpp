@@ -112,7 +112,7 @@ void check(const Settings& settings, const Ranks& ranks) {
     return;
   }
   if (settings.rays.empty()) fail("RAYS", "is missing: name a list of rays, or give --ray or --pixel");
-  if (settings.hits.empty() && !tracing.has_report()) fail("-o", "is missing: nothing would be written");
+  if (settings.hits.empty() && tracing.report().empty()) fail("-o", "is missing: nothing would be written");
   check_fields(settings);
   if (settings.hits_in_order() && !tracing.stats.empty())
     fail("--stats", "is for nearest hits and --any-hit alone, of both faces: take --times");
@@ -150,7 +150,7 @@ std::vector<std::uint32_t> object_masks(const std::string& list, std::uint64_t o
 
 void trace_list(const Settings& settings, Ranks& ranks) {
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
-  const OpenedScene opened("gridtrace", settings.tracing, settings.tracing.devices.gpus(ranks));
+  const OpenedScene opened("gridtrace", settings.tracing, gpus_of(settings.tracing.devices, ranks));
   RayListJob job{settings.rays, settings.hits, ray_format(settings)};
   job.fields = hit_fields(written_fields(settings));
   job.request.tracing = settings.tracing.tracing();
@@ -344,7 +344,7 @@ int main(int argc, char** argv) {
         TracingOptions& tracing = settings.tracing;
         if (tracing.brute_force && settings.rays.empty() && !settings.is_walk())
           std::swap(settings.rays, tracing.grid); // SCENE RAYS
-        const auto limit = tracing.limit_threads(ranks);
+        const auto limit = limit_threads(tracing, ranks);
         refuse_useless(command, settings);
         check(settings, ranks);
         if (!settings.is_walk()) return trace_list(settings, ranks);

@@ -1,7 +1,7 @@
 // Calls of the C interface that their program ends: go_on() of masu.h.
 #include "libscene/geometry/vector.h"
+#include "stability/random_seed.h"
 #include "tests/api/found.h"
-#include "tests/stability/random_seed.h"
 
 #include <masu/masu.hpp>
 

@@ -1,6 +1,6 @@
 // The C interface with memory of a GPU: the CPU's bits, on any stream, by threads at the same time.
+#include "stability/random_seed.h"
 #include "tests/api/found.h"
-#include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 
 #include <masu/masu.hpp>

@@ -1,8 +1,8 @@
 // The C interface, and that of C++ over it: right answers on the CPU, and an error for whatever is wrong,
 // never a fault.
 #include "libscene/geometry/vector.h"
+#include "stability/random_seed.h"
 #include "tests/api/found.h"
-#include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 
 #include <masu/masu.hpp>

@@ -1,5 +1,5 @@
 // The rays of the stability sweeps have the same hits on CPU and GPU, bit for bit.
-#include "tests/stability/oracle/backends.h"
+#include "stability/oracle/backends.h"
 
 #include <gtest/gtest.h>
 

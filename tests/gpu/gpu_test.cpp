@@ -5,10 +5,10 @@
 #include "renderer/image/image.h"
 #include "renderer/rays/walk_report.h"
 #include "renderer/tracer/tracer.h"
+#include "stability/random_seed.h"
+#include "stability/ray_sets.h"
 #include "tests/rendering.h"
 #include "tests/spd_text.h"
-#include "tests/stability/random_seed.h"
-#include "tests/stability/ray_sets.h"
 #include "tests/unchecked_grid.h"
 #include "tools/bench/screen_division/screen_division.h"
 

@@ -1,10 +1,10 @@
 // Closest points: the same for every structure, on the surface, and none closer.
 #include "libgrid/trace/closest.h"
+#include "stability/oracle/oracle.h"
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
-#include "tests/stability/oracle/oracle.h"
 #include "tests/surface_point.h"
 
 #include <gtest/gtest.h>

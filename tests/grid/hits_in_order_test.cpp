@@ -1,11 +1,11 @@
 // All hits of a ray: the same for every structure, and each crossing of a closed mesh once.
 #include "libgrid/trace/hits_in_order.h"
 #include "renderer/counts.h"
+#include "stability/closed_mesh.h"
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
-#include "tests/stability/closed_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "libgrid/grid/grid.h"
 #include "libgrid/grid/overlap/overlap.h"
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 #include <algorithm>
 #include <span>

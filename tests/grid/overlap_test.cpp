@@ -3,9 +3,9 @@
 #include "libgrid/grid/division.h"
 #include "libgrid/grid/overlap/clipped_bounds.h"
 #include "libgrid/grid/overlap/overlap.h"
+#include "stability/oracle/oracle.h"
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
-#include "tests/stability/oracle/oracle.h"
 #include "tests/surface_point.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // The colour map of pictures.
-#include "tools/draw/color_map.h"
+#include "tools/common/color_map.h"
 
 #include <gtest/gtest.h>
 

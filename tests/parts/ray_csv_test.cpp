@@ -2,9 +2,9 @@
 // errors with line and column.
 #include "tools/lists/ray_csv.h"
 
+#include "stability/random_seed.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
-#include "tests/stability/random_seed.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

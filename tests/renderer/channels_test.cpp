@@ -1,9 +1,9 @@
 // Channels and walks: a picture's own hits and counts, ray by ray, for every grid, arithmetic and store.
 #include "renderer/channels.h"
 #include "renderer/rays/walk_report.h"
+#include "stability/test_scene.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
-#include "tests/stability/test_scene.h"
 
 #include <algorithm>
 #include <bit>

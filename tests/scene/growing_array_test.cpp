@@ -1,7 +1,7 @@
 #include "libscene/base/growing_array.h"
 
+#include "stability/random_seed.h"
 #include "tests/random_test.h"
-#include "tests/stability/random_seed.h"
 
 #include <gtest/gtest.h>
 

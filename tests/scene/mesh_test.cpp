@@ -1,7 +1,7 @@
 // Closed meshes are watertight.
+#include "stability/random_mesh.h"
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
-#include "tests/stability/random_mesh.h"
 
 namespace masu {
 namespace {

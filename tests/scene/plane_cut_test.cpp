@@ -1,8 +1,8 @@
 // The curves in which planes cut primitives, against what defines the primitives.
 #include "libscene/plane_cut.h"
+#include "stability/oracle/oracle.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
-#include "tests/stability/oracle/oracle.h"
 #include "tests/surface_point.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // how often: through corners, along edges, in the planes of faces.
 #pragma once
 
-#include "tests/stability/random_mesh.h"
+#include "stability/random_mesh.h"
 
 #include <span>
 #include <tuple>

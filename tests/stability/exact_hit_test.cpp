@@ -1,9 +1,9 @@
 // Exact hits are those of the 113-bit oracle where that is sure; edges and corners belong to all their
 // triangles.
+#include "stability/oracle/closest_hit.h"
+#include "stability/oracle/exact_hit.h"
+#include "stability/sweeps/sweep.h"
 #include "tests/random_test.h"
-#include "tests/stability/oracle/closest_hit.h"
-#include "tests/stability/oracle/exact_hit.h"
-#include "tests/stability/sweeps/sweep.h"
 
 #include <gtest/gtest.h>
 

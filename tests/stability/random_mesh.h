@@ -1,7 +1,7 @@
 // Closed meshes around the origin, of size 1.
 #pragma once
 
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 #include <algorithm>
 #include <array>

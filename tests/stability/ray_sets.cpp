@@ -1,4 +1,4 @@
-#include "tests/stability/ray_sets.h"
+#include "stability/ray_sets.h"
 
 #include "libscene/geometry/random_rays.h"
 

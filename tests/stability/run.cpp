@@ -1,14 +1,14 @@
-#include "tests/stability/run.h"
+#include "stability/run.h"
 
 #include "libgrid/grid/division.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/structure/builder.h"
 #include "libgrid/trace/any_structure.h"
 #include "renderer/dispatch.h"
-#include "tests/stability/oracle/embree_scene.h"
-#include "tests/stability/oracle/exact_hit.h"
-#include "tests/stability/oracle/judge_surfaces.h"
-#include "tests/stability/same_bits.h"
+#include "stability/oracle/embree_scene.h"
+#include "stability/oracle/exact_hit.h"
+#include "stability/oracle/judge_surfaces.h"
+#include "stability/same_bits.h"
 
 #include <tbb/parallel_for.h>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "libgrid/file/structure_file.h"
-#include "tests/stability/oracle/disagreement.h"
-#include "tests/stability/sweeps/sweep.h"
-#include "tests/stability/tally.h"
+#include "stability/oracle/disagreement.h"
+#include "stability/sweeps/sweep.h"
+#include "stability/tally.h"
 
 #include <functional>
 

@@ -1,10 +1,10 @@
 // Robust and double precision fail nowhere, and within the envelopes of docs/accuracy.md most rays are sure.
 #include "libscene/float32_precision.h"
+#include "stability/oracle/backends.h"
+#include "stability/oracle/oracle.h"
+#include "stability/run.h"
+#include "stability/sweeps/picture_sweeps.h"
 #include "tests/random_test.h"
-#include "tests/stability/oracle/backends.h"
-#include "tests/stability/oracle/oracle.h"
-#include "tests/stability/run.h"
-#include "tests/stability/sweeps/picture_sweeps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tests/stability/tally.h"
+#include "stability/tally.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/geometry/primitives.h"
-#include "tests/stability/oracle/closest_hit.h"
+#include "stability/oracle/closest_hit.h"
 
 #include <cstdint>
 #include <span>

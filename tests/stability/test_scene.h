@@ -5,7 +5,7 @@
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/scene_view.h"
-#include "tests/stability/random_seed.h"
+#include "stability/random_seed.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Tools whose input is written by another process meanwhile: the right result or one line, never a fault.
 #include "libscene/cuda/cuda_device.h"
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
 #include <fcntl.h>

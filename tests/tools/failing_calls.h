@@ -2,7 +2,7 @@
 // other file is left.
 #pragma once
 
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Results are independent of the grid: images and hits are the same bytes for every grid, for brute force,
 // and for any number of threads; and a grid file is the same bytes for any number of threads.
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
 #include <fmt/format.h>

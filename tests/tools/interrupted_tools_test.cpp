@@ -1,5 +1,5 @@
 // A tool that a signal terminates at any moment leaves each output unchanged or complete, and no other files.
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
 #include <sys/wait.h>

@@ -1,7 +1,7 @@
 // Runs the built tools, each in a process of its own.
 #pragma once
 
-#include "tests/stability/random_seed.h"
+#include "stability/random_seed.h"
 #include "tests/temporary_folder.h"
 
 #include <nlohmann/json_fwd.hpp>

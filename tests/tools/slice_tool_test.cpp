@@ -2,7 +2,7 @@
 #include "libgrid/statistics/cells.h"
 #include "tests/decoded_image.h"
 #include "tests/tools/run_tool.h"
-#include "tools/draw/color_map.h"
+#include "tools/common/color_map.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // gridbench tradeoff: measurements, continuing after a stop, Pareto fronts, charts.
-#include "tests/stability/random_seed.h"
+#include "stability/random_seed.h"
 #include "tests/tools/run_tool.h"
 #include "tools/bench/tradeoff/tradeoff_csv.h"
 #include "tools/bench/tradeoff/tradeoff_front.h"

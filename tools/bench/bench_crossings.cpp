@@ -1,6 +1,6 @@
 // Rays through a closed mesh, at its corners, along its edges and in the planes of its faces: each line
 // crosses it as often inwards as outwards.
-#include "tests/stability/closed_mesh.h"
+#include "stability/closed_mesh.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/command.h"
 

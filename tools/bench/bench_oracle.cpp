@@ -1,6 +1,6 @@
 // Closest hits of random rays in a scene by each precision, compared with the oracle's brute force.
-#include "tests/stability/ray_sets.h"
-#include "tests/stability/run.h"
+#include "stability/ray_sets.h"
+#include "stability/run.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/command.h"
 #include "tools/common/progress.h"

@@ -4,7 +4,7 @@
 
 #include "libscene/file/output_file.h"
 #include "renderer/rays/automatic_loop.h"
-#include "tests/stability/ray_sets.h"
+#include "stability/ray_sets.h"
 #include "tools/common/print.h"
 #include "tools/common/repeated.h"
 

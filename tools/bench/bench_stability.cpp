@@ -1,9 +1,9 @@
 // Where tracing fails: sweeps of one parameter each, compared with an oracle; and the same rays on the GPU.
-#include "tests/stability/oracle/backends.h"
-#include "tests/stability/oracle/embree_scene.h"
-#include "tests/stability/oracle/exact_hit.h"
-#include "tests/stability/run.h"
-#include "tests/stability/sweeps/picture_sweeps.h"
+#include "stability/oracle/backends.h"
+#include "stability/oracle/embree_scene.h"
+#include "stability/oracle/exact_hit.h"
+#include "stability/run.h"
+#include "stability/sweeps/picture_sweeps.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/command.h"
 

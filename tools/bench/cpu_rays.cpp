@@ -4,8 +4,8 @@
 // On one thread the rate is by CPU time, on all cores by wall-clock time. Repetitions of all measurements are
 // interleaved at random, so that what disturbs the machine for a while disturbs all alike.
 #include "libscene/base/error.h"
-#include "tests/stability/oracle/embree_scene.h"
-#include "tests/stability/ray_sets.h"
+#include "stability/oracle/embree_scene.h"
+#include "stability/ray_sets.h"
 #include "tools/common/cli.h"
 #include "tools/common/printable.h"
 #include "tools/common/repeated.h"

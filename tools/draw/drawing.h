@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/image/png_file.h"
-#include "tools/draw/color_map.h"
+#include "tools/common/color_map.h"
 
 #include <cairo.h>
 

@@ -1,6 +1,6 @@
 #include "tools/draw/value_picture.h"
 
-#include "tools/draw/color_map.h"
+#include "tools/common/color_map.h"
 
 #include <fmt/format.h>
 

@@ -20,10 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string& report_name(const TracingOptions& options) {
-  return options.stats.empty() ? options.times : options.stats;
-}
-
 // Of a command line, the words that outputs depend on.
 Json words_of(Json command) {
   if (command.is_array())
@@ -53,66 +49,14 @@ Json precision_json(const TracingReport& report, Precision wanted) {
 
 } // namespace
 
-void TracingOptions::add_files(const CommandLine& command) {
-  command.add_option("SCENE", scene, "scene file, from nff2bin or mesh2bin");
-  command.add_option("GRID", grid, "grid file, from gridbuild; left out with --brute-force");
-}
-
-void TracingOptions::add_to(const CommandLine& command) {
-  command.group("Tracing");
-  devices.add_to(command);
-  add_precision(command, rules.precision);
-  add_first_cell_hit(command, rules.stop);
-  command.add_flag("--brute-force", brute_force, "test every ray against every primitive, without a grid");
-  command.add_flag("--resume", resume,
-                   "keep the files that are there, and make those that are missing; a picture is made again "
-                   "where its texts name another scene, view or options, a file without texts where the "
-                   "report of --stats or --times does; else it is taken for what it is called");
-  command.group("Reports");
-  const Option counts =
-      command.add_file("--stats", stats, "write ray counts and seconds as JSON; counting slows tracing down");
-  command.add_file("--times", times, "write seconds as JSON, without counting").excludes(counts);
-  command.add_option("--repeat", repeat, "trace N times and report the median's seconds")
-      .range(1, 10000)
-      .excludes(counts);
-  command.add_quiet(quiet, "no progress and no summary on standard error");
-  threads.add_to(command);
-}
-
-void TracingOptions::check(const char* tool) const {
-  if (scene.empty())
-    throw Error(ErrorCode::usage, "command line", fmt::format("SCENE is required: see {} --help", tool));
-  check_scene_input(scene);
-  if (grid.empty() && !brute_force)
-    throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file, or give --brute-force");
-  if (!grid.empty() && brute_force)
-    throw Error(ErrorCode::usage, "GRID", "isn't used by --brute-force: leave one of them out");
-  if (rules.stop == StopRule::first_cell && brute_force)
-    throw Error(ErrorCode::usage, "--first-cell-hit", "needs a grid: leave out --brute-force");
-}
-
-ThreadLimit TracingOptions::limit_threads(const Ranks& ranks) const {
+ThreadLimit limit_threads(const TracingOptions& options, const Ranks& ranks) {
   const auto machine = static_cast<std::size_t>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
   const int count = sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : 0;
   const std::size_t mine = count > 0 ? static_cast<std::size_t>(count) : machine;
-  return threads.limit(
+  return options.threads.limit(
       std::clamp<std::size_t>(machine / static_cast<std::size_t>(ranks.local_count()), 1, mine));
-}
-
-TracingRules TracingOptions::tracing() const {
-  TracingRules tracing = rules;
-  tracing.count = !stats.empty();
-  return tracing;
-}
-
-void add_hit_name(const CommandLine& command, HitName& name, const std::string& what) {
-  command.add_choice(
-      "--hit-name", name,
-      {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
-      what + ": object (index in the NFF text, or of mesh2bin's objects), primitive (index in the scene "
-             "file) or face (number in the mesh's file)");
 }
 
 OpenedScene::OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& gpus)
@@ -128,7 +72,7 @@ Json OpenedScene::hashes() const {
 
 Resume resume_of(const TracingOptions& options, const OpenedScene& opened) {
   if (!options.resume) return Resume::off;
-  const std::string path = report_name(options);
+  const std::string path = options.report();
   if (path.empty() || !is_kept(path, {})) return Resume::all;
   const Json report = Json::parse(read_text_input(path), nullptr, false), now = provenance();
   const auto same = [&](const char* key, const Json& value) {
@@ -146,7 +90,7 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
   if (report.kept > 0 && !quiet)
     print_note("{}: --resume: {} of {} files are there and are kept\n", tool, grouped(report.kept),
                grouped(report.files));
-  if (is_kept_whole && (!options.has_report() || is_kept(report_name(options), {}))) return;
+  if (is_kept_whole && (!options.report().empty() || is_kept(options.report(), {}))) return;
   const std::string device =
       devices_name(opened.gpus()) + (ranks.count() > 1 ? fmt::format(", {} ranks", ranks.count()) : "");
   Json json = provenance();
@@ -162,7 +106,7 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
                      {"trace", report.seconds.trace},
                      {"download", report.seconds.download},
                      {"write", report.write_seconds}};
-  if (options.has_report()) write_text_file(report_name(options), json_text(json) + "\n");
+  if (!options.report().empty()) write_text_file(options.report(), json_text(json) + "\n");
   if (quiet || is_kept_whole) return;
   const DeviceChoice& wanted = options.devices;
   const std::string why = wanted.devices.empty() ? why_no_gpu(wanted.backend) : "";

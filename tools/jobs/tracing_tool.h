@@ -5,7 +5,8 @@
 #include "libgrid/file/structure_file.h"
 #include "libscene/file/mapping_faults.h"
 #include "renderer/tracer/tracer.h"
-#include "tools/jobs/device_choice.h"
+#include "tools/common/tracing_options.h"
+#include "tools/jobs/gpus.h"
 #include "tools/jobs/kept_file.h"
 #include "tools/jobs/ranks.h"
 #include "tools/jobs/tracing_report.h"
@@ -19,27 +20,9 @@
 
 namespace masu {
 
-struct TracingOptions {
-  std::string scene, grid, stats, times;
-  DeviceChoice devices;
-  TracingRules rules; // but for `count`
-  Threads threads;
-  int repeat = 1;
-  bool brute_force = false, quiet = false, resume = false;
-
-  void add_files(const CommandLine& command); // SCENE, GRID
-  void add_to(const CommandLine& command);    // all others
-  // Throws Error(usage) where SCENE or GRID is missing, Error(input) where SCENE has to be converted first.
-  void check(const char* tool) const;
-  // The limit of --threads, else the cores that this process may use, or its share of the machine's where
-  // ranks may use all; in force while the result lives.
-  ThreadLimit limit_threads(const Ranks& ranks) const;
-  TracingRules tracing() const;
-  bool has_report() const { return !stats.empty() || !times.empty(); }
-};
-
-// --hit-name. `what`: that it names.
-void add_hit_name(const CommandLine& command, HitName& name, const std::string& what);
+// The limit of --threads, else the cores that this process may use, or its share of the machine's where ranks
+// may use all; in force while the result lives.
+ThreadLimit limit_threads(const TracingOptions& options, const Ranks& ranks);
 
 // The scene and the grid, and what traces rays through them.
 class OpenedScene {

@@ -3,8 +3,8 @@
 #include "libgrid/statistics/boxes.h"
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
+#include "tools/common/color_map.h"
 #include "tools/common/version.h"
-#include "tools/draw/color_map.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "tools/view/channel_colors.h"
 
 #include "libscene/base/error.h"
-#include "tools/draw/color_map.h"
+#include "tools/common/color_map.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,10 +1,10 @@
-#include "tests/stability/oracle/backends.h"
+#include "stability/oracle/backends.h"
 
 #include "libgrid/grid/division.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/structure/builder.h"
 #include "libscene/file/scene_file.h"
-#include "tests/stability/same_bits.h"
+#include "stability/same_bits.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The sweeps' rays on the CPU and on a GPU.
 #pragma once
 
-#include "tests/stability/run.h"
+#include "stability/run.h"
 
 namespace masu::stability {
 

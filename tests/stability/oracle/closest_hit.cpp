@@ -1,4 +1,4 @@
-#include "tests/stability/oracle/closest_hit.h"
+#include "stability/oracle/closest_hit.h"
 
 #include <algorithm>
 #include <map>

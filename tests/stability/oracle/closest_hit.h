@@ -7,7 +7,7 @@
 
 #include "libscene/scene_view.h"
 #include "renderer/tracer/tracer.h"
-#include "tests/stability/oracle/oracle.h"
+#include "stability/oracle/oracle.h"
 
 #include <span>
 #include <vector>

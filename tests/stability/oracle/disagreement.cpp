@@ -1,6 +1,6 @@
-#include "tests/stability/oracle/disagreement.h"
+#include "stability/oracle/disagreement.h"
 
-#include "tests/stability/oracle/exact_hit.h"
+#include "stability/oracle/exact_hit.h"
 
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/geometry/primitives.h"
-#include "tests/stability/tally.h"
+#include "stability/tally.h"
 
 #include <cstdint>
 #include <span>

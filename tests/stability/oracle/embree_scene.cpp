@@ -1,4 +1,4 @@
-#include "tests/stability/oracle/embree_scene.h"
+#include "stability/oracle/embree_scene.h"
 
 #include "libscene/base/error.h"
 

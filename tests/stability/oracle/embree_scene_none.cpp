@@ -1,6 +1,6 @@
 // Where this program was built without Embree.
 #include "libscene/base/error.h"
-#include "tests/stability/oracle/embree_scene.h"
+#include "stability/oracle/embree_scene.h"
 
 namespace masu {
 

@@ -1,4 +1,4 @@
-#include "tests/stability/oracle/exact_hit.h"
+#include "stability/oracle/exact_hit.h"
 
 #include <gmpxx.h>
 

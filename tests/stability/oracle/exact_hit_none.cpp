@@ -1,6 +1,6 @@
 // Where this program was built without GMP.
 #include "libscene/base/error.h"
-#include "tests/stability/oracle/exact_hit.h"
+#include "stability/oracle/exact_hit.h"
 
 namespace masu::stability {
 

@@ -5,9 +5,9 @@
 #include "libscene/geometry/surface.h"
 #include "renderer/counts.h"
 #include "renderer/dispatch.h"
-#include "tests/stability/same_bits.h"
-#include "tests/stability/sweeps/sweep.h"
-#include "tests/stability/tally.h"
+#include "stability/same_bits.h"
+#include "stability/sweeps/sweep.h"
+#include "stability/tally.h"
 
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>

@@ -1,8 +1,8 @@
 // Meshes in trials, and rays at their corners and edges.
 #pragma once
 
-#include "tests/stability/random_mesh.h"
-#include "tests/stability/sweeps/sweep.h"
+#include "stability/random_mesh.h"
+#include "stability/sweeps/sweep.h"
 
 namespace masu::stability {
 

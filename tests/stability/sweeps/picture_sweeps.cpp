@@ -1,8 +1,8 @@
-#include "tests/stability/sweeps/picture_sweeps.h"
+#include "stability/sweeps/picture_sweeps.h"
 
 #include "libgrid/structure/chosen_structure.h"
+#include "stability/sweeps/sweep.h"
 #include "tests/picture_scenes.h"
-#include "tests/stability/sweeps/sweep.h"
 
 #include <memory>
 

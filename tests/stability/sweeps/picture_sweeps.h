@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/precision.h"
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 #include <functional>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "tests/stability/sweeps/sweep.h"
+#include "stability/sweeps/sweep.h"
 
 #include <cmath>
 #include <ostream>

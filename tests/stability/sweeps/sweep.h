@@ -4,7 +4,7 @@
 
 #include "libgrid/structure/builder.h"
 #include "renderer/tracer/tracer.h"
-#include "tests/stability/test_scene.h"
+#include "stability/test_scene.h"
 
 #include <iosfwd>
 #include <optional>

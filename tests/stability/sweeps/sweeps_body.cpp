@@ -1,5 +1,5 @@
 // Closed surfaces: leaks, rays that leave surfaces, and glass.
-#include "tests/stability/sweeps/mesh_rays.h"
+#include "stability/sweeps/mesh_rays.h"
 
 #include <cmath>
 

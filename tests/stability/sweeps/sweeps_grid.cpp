@@ -1,6 +1,6 @@
 // Rays and surfaces relative to voxels.
 #include "libgrid/grid/division.h"
-#include "tests/stability/sweeps/sweep.h"
+#include "stability/sweeps/sweep.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Position and size of the scene, and origins of rays.
-#include "tests/stability/sweeps/sweep.h"
+#include "stability/sweeps/sweep.h"
 
 #include <cmath>
 

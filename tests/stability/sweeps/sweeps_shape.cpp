@@ -1,5 +1,5 @@
 // Shapes of primitives that cause cancellation.
-#include "tests/stability/sweeps/sweep.h"
+#include "stability/sweeps/sweep.h"
 
 #include <algorithm>
 #include <cmath>

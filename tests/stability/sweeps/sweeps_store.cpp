@@ -1,6 +1,6 @@
 // Scenes of small parts, stored as `--store auto` does (libscene/float32_precision.h): the judge's scene is
 // the one before its coordinates are rounded.
-#include "tests/stability/sweeps/mesh_rays.h"
+#include "stability/sweeps/mesh_rays.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "libscene/geometry/margin.h"
 #include "renderer/rays/automatic_loop.h"
-#include "tests/stability/ray_sets.h"
+#include "stability/ray_sets.h"
 #include "tools/common/cli.h"
 #include "tools/common/repeated.h"
 

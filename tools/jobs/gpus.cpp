@@ -1,4 +1,4 @@
-#include "tools/jobs/device_choice.h"
+#include "tools/jobs/gpus.h"
 
 #include "tools/common/number_list.h"
 
@@ -28,31 +28,8 @@ std::vector<int> numbers_below(int count) {
   return numbers;
 }
 
-} // namespace
-
-void DeviceChoice::add_to(const CommandLine& command) {
-  add_backend(command, backend);
-  command
-      .add_option(
-          devices_option, devices,
-          "GPUs that share the work: all, or their numbers, such as 0,2; or cpu. Without it the first GPU, "
-          "or what --backend says")
-      .type_name("LIST");
-}
-
-std::vector<int> DeviceChoice::gpus(Ranks& ranks) const {
-  std::vector<int> all = gpus_of_machine(ranks);
-  if (all.empty() || ranks.count() == 1) return all;
-  const auto rank = static_cast<std::size_t>(ranks.local_rank()),
-             count = static_cast<std::size_t>(ranks.local_count());
-  if (rank >= all.size()) return {all[rank % all.size()]};
-  std::vector<int> mine;
-  for (std::size_t i = rank; i < all.size(); i += count)
-    mine.push_back(all[i]);
-  return mine;
-}
-
-std::vector<int> DeviceChoice::gpus_of_machine(Ranks& ranks) const {
+std::vector<int> gpus_of_machine(const DeviceChoice& choice, Ranks& ranks) {
+  const auto& [backend, devices] = choice;
   if (devices.empty()) {
     std::uint64_t with_gpu[] = {use_cuda(backend) ? 1U : 0U};
     if (ranks.count() == 1) return with_gpu[0] != 0 ? std::vector<int>{0} : std::vector<int>{};
@@ -74,6 +51,20 @@ std::vector<int> DeviceChoice::gpus_of_machine(Ranks& ranks) const {
   }
   if (!named.empty()) return named;
   return numbers_below(count);
+}
+
+} // namespace
+
+std::vector<int> gpus_of(const DeviceChoice& choice, Ranks& ranks) {
+  std::vector<int> all = gpus_of_machine(choice, ranks);
+  if (all.empty() || ranks.count() == 1) return all;
+  const auto rank = static_cast<std::size_t>(ranks.local_rank()),
+             count = static_cast<std::size_t>(ranks.local_count());
+  if (rank >= all.size()) return {all[rank % all.size()]};
+  std::vector<int> mine;
+  for (std::size_t i = rank; i < all.size(); i += count)
+    mine.push_back(all[i]);
+  return mine;
 }
 
 std::string devices_name(const std::vector<int>& gpus) {
