@@ -1,0 +1,93 @@
+// The keyboard: of the page, of a picture and of its cross hair.
+'use strict';
+
+const KEY_ORBIT = 0.05, KEY_PAN = 0.03, KEY_ZOOM = 1.08;
+
+function keyOfPicture(pane, event) {
+  if (state.picking && keyOfPicking(pane, event)) return true;
+  if (event.key in ARROWS) {
+    const [x, y] = ARROWS[event.key];
+    const orbit = source.isLive ? KEY_ORBIT : source.step;
+    setCamera(event.shiftKey ? Camera.panned(state.camera, x * KEY_PAN, y * KEY_PAN)
+                             : Camera.orbited(state.camera, x * orbit, y * orbit));
+    return true;
+  }
+  if (event.key === '+' || event.key === '=') setCamera(Camera.zoomed(state.camera, 1 / KEY_ZOOM));
+  else if (event.key === '-' || event.key === '_') setCamera(Camera.zoomed(state.camera, KEY_ZOOM));
+  else if (event.key in NEXT) announce(NEXT[event.key](pane));
+  else if (event.key === 'Enter') setPicking({pane: pane.index, x: 0.5, y: 0.5});
+  else if (event.key === 'Escape' && walkPanel.ray) walkPanel.clear();
+  else return false;
+  return true;
+}
+
+// What keys change, in words.
+const after = (all, one) => all[(all.indexOf(one) + 1) % all.length];
+const NEXT = {
+  c(pane) {
+    pane.set({channel: after(state.scene.channels, pane.settings.channel)});
+    return `channel ${pane.settings.channel}`;
+  },
+  g(pane) {
+    pane.set({grid: (pane.settings.grid + 1) % state.scene.grids.length});
+    return `grid ${pane.structure.name}`;
+  },
+  w(pane) {
+    pane.set({cells: after(CELLS, pane.settings.cells)});
+    return `cells: ${pane.settings.cells}`;
+  },
+  l() {
+    setScale(after(['automatic', 'linear', 'logarithmic'], scales.kind));
+    return `scale: ${scales.kind}`;
+  },
+};
+
+// The cross hair, moved by keys.
+function setPicking(picking) {
+  state.picking = picking;
+  for (const pane of panes) pane.stage.classList.toggle('picking', Boolean(picking && picking.pane === pane.index));
+  drawOverlays();
+  if (picking) announce('Arrow keys move the cross hair, Enter picks, Escape drops it');
+}
+function keyOfPicking(pane, event) {
+  const {x, y} = state.picking;
+  if (event.key in ARROWS) {
+    const [dx, dy] = ARROWS[event.key];
+    const [width, height] = pane.size();
+    const pixels = event.shiftKey ? 20 : 2;
+    const clamped = (value) => Math.max(0, Math.min(0.99999, value));
+    state.picking = {pane: pane.index, x: clamped(x + dx * pixels / width), y: clamped(y - dy * pixels / height)};
+    drawOverlays();
+  } else if (event.key === 'Enter') {
+    setPicking(null);
+    pick(pane, x, y);
+  } else if (event.key === 'Escape') {
+    setPicking(null);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// The walk of the camera ray of the pixel at shares x, y of the picture.
+
+function keyOfPage(event) {
+  if (event.ctrlKey || event.altKey || event.metaKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+  if (event.key === '?') toggleKeys();
+  else if (event.key === 'p') togglePlane();
+  else if (event.key === 'v' && !state.plane) toggleCompare();
+  else if (event.key === 'Home') setCamera(ownCamera(state.scene));
+  else if (event.key === ',' && walkPanel.move(-1)) { /* a step back */ }
+  else if (event.key === '.' && walkPanel.move(1)) { /* a step on */ }
+  // What has keys of its own keeps them; Enter presses what is focused.
+  else if (panes.length > 0 && !event.target.closest('.stage, .scroll') && (event.key !== 'Enter' || event.target === document.body) &&
+           keyOfPicture(panes[0], event)) { /* the first picture's */ }
+  else return;
+  event.preventDefault();
+}
+
+function toggleKeys() {
+  const list = $('keys-list');
+  list.hidden = !list.hidden;
+  $('keys').setAttribute('aria-expanded', String(!list.hidden));
+}
