@@ -7,7 +7,10 @@
 #include "tools/view/answers.h"
 #include "tools/view/export.h"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
 namespace masu {
@@ -42,6 +45,12 @@ HttpServer listening(const Settings& settings, const std::string& token, const H
   try {
     return at(usual_port);
   } catch (const Error&) { // taken
+    const bool colored = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+    if (!settings.quiet)
+      print_note(
+          "{}gridview: port {} is taken, perhaps by another gridview: links that name this port, as the "
+          "lesson's do, open what that one shows. End it, or change the port in them{}\n",
+          colored ? "\033[1;33m" : "", usual_port, colored ? "\033[0m" : "");
     return at(0);
   }
 }

@@ -57,10 +57,10 @@ class Tools:
 class Gridview:
     """A gridview that is serving; ends with the block."""
 
-    def __init__(self, tools, *arguments):
+    def __init__(self, tools, *arguments, port=0):
         # A sanitizer's options are the environment's; its reports are on standard error.
         self.log = open(tools.folder / "gridview.log", "w+")
-        self.process = subprocess.Popen([tools.bin / "gridview", *arguments, "--port", "0"], cwd=tools.folder,
+        self.process = subprocess.Popen([tools.bin / "gridview", *arguments, "--port", str(port)], cwd=tools.folder,
                                         stdout=subprocess.PIPE, stderr=self.log, text=True)
         self.address = self.process.stdout.readline().strip()
         match = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/(\?token=[0-9a-f]{32})?", self.address)

@@ -349,6 +349,22 @@ class Hostile(unittest.TestCase):
         self.assertEqual(len(ended.stderr.strip().splitlines()), 1)
         self.assertIn(f"port {self.server.port}", ended.stderr)
 
+    def test_it_says_that_the_usual_port_is_taken(self):
+        import subprocess
+        try:
+            taken = socket.create_server(("127.0.0.1", 8765))
+        except OSError:
+            taken = None  # by another one
+        server = subprocess.Popen([tools.bin / "gridview", *scene], cwd=tools.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        try:
+            self.assertNotIn(":8765/", server.stdout.readline())
+            self.assertIn("port 8765 is taken", server.stderr.readline())
+        finally:
+            server.terminate()
+            server.communicate()
+            if taken:
+                taken.close()
+
 
 if __name__ == "__main__":
     tools = Tools(sys.argv.pop(1))

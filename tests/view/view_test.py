@@ -15,6 +15,7 @@ import subprocess
 import sys
 import time
 import unittest
+import urllib.error
 
 from gridview_run import Gridview, Tools, skip, wait_until
 
@@ -886,6 +887,14 @@ class Page(unittest.TestCase):
             self.assertNotEqual(self.js("return walkPanel.ray"), before)
             self.assert_walks_in_plane(scene[1:])
         self.screenshot("exported-plane")
+        # The slider stands where the slice is, and the list of keys has those that do something.
+        self.js("slicePanel.slider.value = 0.4; slicePanel.slider.dispatchEvent(new Event('input'))")
+        self.wait_plane()
+        self.assertEqual(self.js("return [slicePanel.slider.value, state.slice.share]"), ["0.5", 0.5])
+        self.keys("?")
+        self.assertNotRegex(self.find("#keys-list").text, r"pan\b|pinch, \+ −\n")
+        self.assertIn("orbit", self.find("#keys-list").text)
+        self.keys(Keys.ESCAPE)
         self.assert_quiet(address)
 
     def test_an_exported_hierarchy(self):
@@ -931,18 +940,258 @@ class Page(unittest.TestCase):
             self.show(server=server)
             port = server.port
         self.js("setCamera(Camera.orbited(state.camera, 0.3, 0))")
-        wait_until(lambda: self.find(".problem").is_displayed(), "a message")
-        self.assertIn("still running", self.find(".problem").text)
-        again = subprocess.Popen([tools.bin / "gridview", *scene, "--port", str(port), "-q"], cwd=tools.folder, stdout=subprocess.PIPE)
-        try:
-            again.stdout.readline()
-            wait_until(lambda: not self.find(".problem").is_displayed(), "all is well again")
+        wait_until(lambda: self.find("#lost").is_displayed(), "a message")
+        self.assertIn("still running", self.find("#lost").text)
+        with Gridview(tools, *scene, "-q", port=port):
+            wait_until(lambda: not self.find("#lost").is_displayed(), "all is well again")
             self.wait_sharp()
-        finally:
-            again.terminate()
-            again.wait(30)
-            again.stdout.close()
         self.leave()  # what Chromium says of refused connections
+
+    def test_the_plane_keeps_slices_and_walk_while_the_server_is_gone(self):
+        with Gridview(tools, *scene, "-q") as server:
+            self.show_plane(server)
+            port, ray = server.port, self.js("return walkPanel.ray")
+        self.js("planeView.move('to', [-0.3, 0.2], null)")
+        wait_until(lambda: self.find("#lost").is_displayed(), "a message")
+        self.js("slicePanel.set({share: 0.4})")
+        self.assertNotIn("Failed to fetch", self.find("body").text)
+        self.assertTrue(self.js("return walkPanel.ray && planeView.plots.every((plot) => plot.slice && !plot.counts.hidden)"))
+        self.screenshot("plane-lost")
+        with Gridview(tools, *scene, "-q", port=port) as server:
+            wait_until(lambda: not self.find("#lost").is_displayed(), "all is well again")
+            wait_until(lambda: self.js("return planeView.slice.position === walkPanel.ray.origin[2] && planeView.slice.position") not in (False, ray["origin"][2]), "the slice that was chosen meanwhile")
+            self.wait_plane()
+            self.assertNotEqual(self.js("return walkPanel.ray.direction"), ray["direction"])
+            self.assert_walks_in_plane(scene[1:])
+            self.leave()
+
+    def test_a_server_of_other_grids_at_the_same_port_is_not_taken_for_the_old_one(self):
+        with Gridview(tools, *scene, "-q") as server:
+            self.show(server=server, fragment=f"#grid={scene[1]}")
+            port = server.port
+        with Gridview(tools, scene[0], scene[2], "-q", port=port) as server:
+            self.js("setCamera(Camera.orbited(state.camera, 0.3, 0))")
+            wait_until(lambda: self.js("return typeof state !== 'undefined' && state.scene && state.scene.grids.map((grid) => grid.name)") == [scene[2]], "the page is loaded anew")
+            self.wait_sharp()
+            self.assertIn(f"{scene[1]}, which isn’t loaded", self.find("#missing").text)
+            with self.assertRaises(urllib.error.HTTPError) as refused:
+                server.get("/api/statistics?grid=0&files=" + "0" * 32)
+            self.assertEqual(refused.exception.code, 409)
+            refused.exception.close()
+            self.leave()
+
+    # --- Addresses ---
+
+    def test_another_address_drops_the_counts_of_the_old_one(self):
+        self.show(fragment=f"#grid={scene[1]}")
+        wait_until(lambda: "cells per ray" in self.find("#cost").text, "counts")
+        self.js("source.picture = () => new Promise(() => {}); location.hash = arguments[0]", f"#grid={scene[2]}")
+        wait_until(lambda: "uniform" in self.find("#cost thead").text, "the other grid's name")
+        for old in ["per ray", "trace", "shadow rays"]:
+            self.assertNotIn(old, self.find("#cost table").text)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#cost tr.head")), 1, "no headings of nothing")
+
+    def test_a_link_to_grids_that_are_not_loaded_says_so(self):
+        self.show(fragment=f"#grid=other.grid,{scene[2]}&channel=depth,cells")
+        self.assertEqual(self.js("return state.panes"), [dict(grid=1, channel="cells", cells="none")])
+        self.assertEqual(self.find("#missing").text, f"The link names other.grid, which isn’t loaded here. Shown: {scene[2]} of {scene[0]}.")
+        self.screenshot("missing")
+        self.select(".picture .grid", 0)
+        self.assertFalse(self.find("#missing").is_displayed())
+        self.show(fragment=f"#grid={scene[2]}")
+        self.assertFalse(self.find("#missing").is_displayed())
+
+    def test_a_link_holds_the_planes_zoom(self):
+        self.show_plane(self.server, fragment="#view=plane&slice=y,0.5")
+        self.js("planeView.zoomed(planeView.plots[0], 3, 0.2, 0.3)")
+        zoom = self.js("return planeView.zoom")
+        wait_until(lambda: "zoom=" in self.js("return location.hash"), "the address holds the zoom")
+        fragment = self.js("return location.hash")
+        self.show_plane(self.server, fragment=fragment)
+        self.assertEqual(self.js("return planeView.zoom"), zoom)
+        shown = "const plot = planeView.plots[0], {canvas} = plot; return plot.window(plot.slice, planeView.zoom).u(canvas.width / 2)"
+        self.assertAlmostEqual(self.js(shown), zoom["u"])
+        self.js("slicePanel.set({axis: 0})")  # another plane has its own middle
+        wait_until(lambda: self.js("return planeView.slice.axis") == 0, "another plane")
+        self.assertNotAlmostEqual(self.js(shown), zoom["u"])
+
+    # --- Keys ---
+
+    def test_the_skip_link_leads_to_what_is_shown_and_keeps_the_address(self):
+        for plane in [False, True]:
+            if plane:
+                self.show_plane(self.server)
+            else:
+                self.show(fragment="#depth=3")
+            time.sleep(0.4)  # until the address holds all of it
+            fragment = self.js("return location.hash")
+            self.js("document.querySelector('.skip').focus()")
+            self.keys(Keys.ENTER)
+            self.assertEqual(self.js("return document.activeElement.className"), "slice" if plane else "stage")
+            time.sleep(0.4)
+            self.assertEqual(self.js("return location.hash"), fragment)
+
+    def test_keys_work_where_a_control_has_the_focus(self):
+        self.show(1280, 640)
+        self.pick(0, 0)
+        last = self.js("return walkPanel.step")
+        self.assertGreater(last, 1)
+        self.js("document.querySelector('#slice-panel').open = true; panes[0].set({cells: 'slice'})")
+        for control in [".picture .channel", "#slice input", "#walk-all"]:
+            self.js("document.querySelector(arguments[0]).focus()", control)
+            self.keys(",")
+            self.assertEqual(self.js("return walkPanel.step"), last - 1, control)
+            self.assertRegex(self.find(".unseen").get_attribute("textContent"), rf"^step {last} of {last + 1}: cell \d.*, \d+ tests?(, hit)?$")
+            self.keys(".")
+            self.assertEqual(self.js("return walkPanel.step"), last, control)
+            self.keys("?")
+            self.assertTrue(self.find("#keys-list").is_displayed(), control)
+            self.keys(Keys.ESCAPE)
+            self.assertFalse(self.find("#keys-list").is_displayed(), control)
+        # Esc closes the list alone, not the walk.
+        self.js("panes[0].stage.focus()")
+        self.keys("?", Keys.ESCAPE)
+        self.assertFalse(self.find("#keys-list").is_displayed())
+        self.assertTrue(self.js("return walkPanel.ray"))
+        # To the plane and back, and where the second picture is closed.
+        for wanted in ["slice", "stage"]:
+            self.keys("p")
+            self.assertEqual(self.js("return document.activeElement.className"), wanted)
+        self.keys("v")
+        self.js("panes[1].stage.focus()")
+        self.keys("v")
+        self.assertEqual(self.js("return document.activeElement === panes[0].stage"), True)
+        self.wait_sharp()
+
+    def test_the_plane_shows_the_grids_that_were_compared_and_gives_their_walk_back(self):
+        extra = [*scene, "balance.grid"]
+        tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
+        with Gridview(tools, *extra, "-q") as server:
+            self.show(1280, 640, server=server, fragment="#grid=balance.grid,balls_uniform.grid&channel=cells,cells")
+            self.pick(0, 0, 1)
+            self.js("walkPanel.move(-1)")
+            look = "return [walkPanel.ray, walkPanel.pane, walkPanel.step]"
+            before, commands = self.js(look), self.js("return command()").split(" && ")
+            for grid, one in zip(["balance.grid", "balls_uniform.grid"], commands):
+                self.assertIn(grid, one)
+            self.assertEqual([shlex.split(one)[shlex.split(one).index("-o") + 1] for one in commands], ["picture.png", "picture-2.png"])
+            self.js("togglePlane()")
+            self.wait_plane()
+            self.assertEqual(self.js("return state.plane"), [2, 1])
+            self.js("togglePlane()")
+            self.wait_sharp()
+            self.wait_walk()
+            self.assertEqual(self.js(look), before)
+            self.leave()
+
+    # --- Once ---
+
+    def requests(self, path):
+        return [event for event in self.logs()[0] if event["method"] == "Network.requestWillBeSent" and path in event["params"]["request"]["url"]]
+
+    def test_what_lies_over_pictures_does_not_trace_them_anew(self):
+        self.show(1280, 640, fragment=f"#grid={scene[1]},{scene[2]}&channel=shaded,cells")
+        wait_until(lambda: self.js("return panes.every((pane) => pane.counts)"), "counts")
+        self.logs()
+        for change in ["panes[0].set({cells: 'slice'})", "panes[1].set({cells: 'boxes'})", "toggleKeys()", "slicePanel.set({share: 0.4})", "panes[0].set({cells: 'none'})", "toggleKeys()", "setCamera(state.camera)"]:
+            self.js(change)
+            time.sleep(0.4)
+            self.assertEqual(self.requests("/api/picture"), [], change)
+        self.assertTrue(self.js("return panes.every((pane) => pane.counts)"))
+
+    def test_pictures_that_are_compared_have_one_size_and_one_angle(self):
+        for width in [1024, 1100, 1200, 1280, 1440]:
+            self.show(width, 640, fragment=f"#grid={scene[1]},{scene[2]}&channel=shaded,cells")
+            self.assertEqual(*self.js("return panes.map((pane) => [pane.stage.clientHeight, pane.frame.view.camera.angle])"))
+            self.assertEqual([status.text.split()[0] for status in self.browser.find_elements(By.CSS_SELECTOR, ".picture .status")], ["sharp"] * 2)
+
+    def test_many_boxes_are_drawn_once_and_cover_the_scene(self):
+        tools.run("nffgen", "balls", "--size", "5", "-o", "many.nff")
+        tools.run("nff2bin", "many.nff", "-o", "many.scene")
+        tools.run("gridbuild", "many.scene", "-o", "many.grid", "--merge", "none", "--division", "96")
+        grids = ["many.grid", tools.make_hierarchy("many.scene")]
+        with Gridview(tools, "many.scene", *grids, "-q") as server:
+            bounds = json.loads(server.get("/api/scene"))["scene"]["bounds"]
+            for i, grid in enumerate(grids):
+                made = json.loads(server.get(f"/api/boxes?grid={i}"))
+                self.assertGreater(made["count"], 8000)
+                self.assertLessEqual(len(made["boxes"]), 8000)
+                self.assertGreater(len(made["boxes"]), 2000)
+                for axis in range(3):
+                    low, high = min(box["min"][axis] for box in made["boxes"]), max(box["max"][axis] for box in made["boxes"])
+                    extent = bounds["max"][axis] - bounds["min"][axis]
+                    self.assertLess(max(low - bounds["min"][axis], bounds["max"][axis] - high), 0.05 * extent, "not one patch of them")
+            self.assertEqual({box["depth"] <= made["depth"] for box in made["boxes"]}, {True})
+            self.show(1280, 640, server=server, fragment=f"#grid={grids[1]}&cells=boxes")
+            wait_until(lambda: self.js("return slicePanel.boxesOf(1)"), "boxes")
+            self.assertRegex(self.find("#slice .note").text, r"down to depth \d+: all are")
+            self.js("window.draws = 0; const old = Pane.prototype.drawBoxes; Pane.prototype.drawBoxes = function(boxes) { draws += 1; old.call(this, boxes); }")
+            begin = time.monotonic()
+            for _ in range(40):
+                self.js("panes[0].picture.stillMsPerPixel = 1; setCamera(Camera.orbited(state.camera, 0.02, 0))")  # as many bands as there may be
+            self.wait_sharp()
+            print(f"40 moves: {time.monotonic() - begin:.1f} s", end=" ", file=sys.stderr, flush=True)
+            self.assertLessEqual(self.js("return draws"), 41)
+            draws = self.js("const before = draws; panes[0].picture.stillMsPerPixel = 1; setCamera(Camera.orbited(state.camera, 0.02, 0)); return before")
+            self.wait_sharp()
+            self.assertEqual(self.js("return draws") - draws, 1)
+            self.screenshot("many-boxes")
+            self.leave()
+
+    def test_the_planes_first_ray_begins_in_a_cell(self):
+        tools.run("gridbuild", scene[0], "-o", "even.grid", "--division", "32", "--merge", "none")
+        with Gridview(tools, scene[0], "even.grid", *scene[1:], "-q") as server:
+            for axis in "xyz":
+                self.show_plane(server, fragment=f"#view=plane&slice={axis},0.5")
+                ray, slice_ = self.js("return walkPanel.ray"), self.js("return planeView.slice")
+                for k, at in enumerate(slice_["axes"]):
+                    share = (ray["origin"][at] - slice_["min"][k]) / slice_["step"][k] % 1
+                    self.assertTrue(0.05 < share < 0.95, share)
+                for i in range(3):
+                    self.js("walkPanel.look({pane: arguments[0]})", i)
+                    numbers = [text for row in self.listed() for text in row[2:4]]
+                    self.assertGreater(len(numbers), 1)
+                    self.assertEqual([text for text in numbers if text.startswith("-")], [])
+            self.assertEqual(self.js("return [Text.place(-6.1e-5, 3), Text.place(-0.5, 3)]"), ["0", "-0.500"])
+            self.leave()
+
+    def test_four_structures_have_four_colors(self):
+        tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
+        with Gridview(tools, *scene, "balance.grid", tools.make_hierarchy(scene[0]), "-q") as server:
+            for dark in [False, True]:
+                self.show_plane(server, dark=dark)
+                self.js("document.getElementById('histogram-panel').open = true")
+                wait_until(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#histogram .key"), "the histogram")
+                keys, bars = self.js("return [[...document.querySelectorAll('#histogram .key')].map((key) => getComputedStyle(key, '::before').backgroundColor), "
+                                     "[...new Set([...document.querySelectorAll('#histogram rect')].map((bar) => getComputedStyle(bar).fill))]]")
+                self.assertEqual(len(set(keys)), 4)
+                self.assertEqual(set(bars), set(keys))
+            self.screenshot("histogram")
+            self.leave()
+
+    def test_contrast_of_hits_and_lines_and_room_for_controls(self):
+        for dark in [False, True]:
+            self.show(1024, 640, dark, fragment=f"#grid={scene[1]}&channel=depth&cells=slice")
+            self.pick(0, 0)
+            self.js("walkPanel.select(walkPanel.lastStep)")
+            colors = self.js("""const cell = document.querySelector('[aria-selected=true] .hit'), canvas = document.createElement('canvas'), context = canvas.getContext('2d', {willReadFrequently: true});
+              const rgb = (color) => { context.fillStyle = color; context.fillRect(0, 0, 1, 1); return [...context.getImageData(0, 0, 1, 1).data].slice(0, 3); };
+              return [rgb(getComputedStyle(cell).color), rgb(getComputedStyle(cell.parentElement).backgroundColor)];""")
+            self.assertGreater(contrast(*colors), 4.5)
+            self.assertEqual(self.js("return document.querySelectorAll('[aria-hidden=\"\"]').length"), 0)
+            # Lines of a slice are seen on white, too.
+            wait_until(lambda: self.js("return slicePanel.of(0)"), "the slice")
+            self.assertTrue(self.js("const c = panes[0].overlay.canvas, copy = new OffscreenCanvas(c.width, c.height).getContext('2d', {willReadFrequently: true}); "
+                                    "copy.drawImage(c, 0, 0); const {data} = copy.getImageData(0, 0, c.width, c.height); for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 60 && data[i] < 60 && data[i + 1] < 60 && data[i + 2] < 60) return true; return false"))
+            self.js("announce('something')")
+            toast = self.js("const r = document.getElementById('announcement').getBoundingClientRect(); return [r.left, r.top, r.right, r.bottom]")
+            for left, top, right, bottom in self.js("return [...document.querySelectorAll('button, select, input')].map((e) => { const r = e.getBoundingClientRect(); return [r.left, r.top, r.right, r.bottom]; })"):
+                self.assertTrue(right <= toast[0] or left >= toast[2] or bottom <= toast[1] or top >= toast[3], "the toast lies over a control")
+        # The slider of a plane that nothing shows isn't there.
+        self.js("document.querySelector('#slice-panel').open = true; panes[0].set({cells: 'boxes'})")
+        self.assertFalse(self.find("#slice select").is_displayed())
+        self.js("panes[0].set({cells: 'slice'})")
+        self.assertTrue(self.find("#slice select").is_displayed())
 
 
 if __name__ == "__main__":

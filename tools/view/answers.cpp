@@ -122,6 +122,8 @@ const char* type_of(std::string_view name) {
 
 HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
   Parameters parameters(request.parameters);
+  if (const std::string* const files = parameters.find("files"); files != nullptr && *files != viewer.files())
+    return {409, "application/json", R"({"error": "other files are shown at this address: reload"})"};
   const auto is = [&](const char* path) { return request.path == path; };
   if (is("/api/picture")) return picture(viewer, parameters, request.is_gone);
   if (is("/api/counts")) {

@@ -158,6 +158,13 @@ Viewer::Viewer(const ViewerSettings& settings) : scene_(settings.scene), precisi
     grids_.push_back(std::make_unique<ViewedGrid>(path, scene_, settings.device));
 }
 
+std::string Viewer::files() const {
+  std::string all = file_name(scene_.path()) + to_hex(scene_.hash());
+  for (const auto& grid : grids_)
+    all += file_name(grid->file.path()) + to_hex(grid->file.hash());
+  return to_hex(hash_of({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()}));
+}
+
 FrameRequest Viewer::frame_request(const PictureRequest& request) const {
   FrameRequest frame;
   frame.tracing.precision = precision_;
@@ -269,17 +276,32 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
 
 Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
   const StructureFile& file = grid(request.grid).file;
-  return turns_.run(is_gone, [&] {
-    Json boxes = Json::array();
+  const auto for_each = [&](std::optional<std::int32_t> depth, const auto& act) {
+    for_each_box(file, {{}, !depth || !file.is_hierarchy(), {}}, [&](const StructureBox& found) {
+      if (!depth || (found.references > 0 ? found.depth <= *depth : found.depth == *depth)) act(found);
+    });
+  };
+  const auto count_of = [&](std::optional<std::int32_t> depth) {
     std::size_t count = 0;
-    const std::int32_t depth = request.depth.value_or(-1);
-    for_each_box(file, {{}, !request.depth, {}}, [&](const StructureBox& found) {
-      const bool is_shown = depth < 0 || (found.references > 0 ? found.depth <= depth
-                                                               : found.depth == depth && file.is_hierarchy());
-      if (is_shown && ++count <= request.most)
+    for_each(depth, [&](const StructureBox&) { ++count; });
+    return count;
+  };
+  return turns_.run(is_gone, [&] {
+    std::optional<std::int32_t> depth = request.depth;
+    const std::size_t count = count_of(depth);
+    std::size_t fitting = count;
+    if (!depth && file.is_hierarchy()) {
+      for (std::int32_t next = grid(request.grid).greatest_depth; fitting > request.most && next > 0;)
+        fitting = count_of(depth = --next);
+    }
+    const std::size_t step = std::max<std::size_t>(1, (fitting + request.most - 1) / request.most);
+    Json boxes = Json::array();
+    std::size_t index = 0;
+    for_each(depth, [&](const StructureBox& found) {
+      if (index++ % step == 0)
         boxes.push_back({{"min", found.box.min}, {"max", found.box.max}, {"depth", found.depth}});
     });
-    return Json{{"boxes", std::move(boxes)}, {"count", count}};
+    return Json{{"boxes", std::move(boxes)}, {"count", count}, {"depth", depth ? Json(*depth) : Json()}};
   });
 }
 
@@ -311,7 +333,8 @@ Json Viewer::description() const {
             {"colors", color_map_samples()},
             {"backend", cuda ? "cuda" : "cpu"},
             {"device", device_name(cuda)},
-            {"precision", name_of(precision_)}};
+            {"precision", name_of(precision_)},
+            {"files", files()}};
   json.update(program_version());
   return json;
 }

@@ -110,6 +110,8 @@ public:
   const ViewedGrid& grid(std::size_t index) const { return *grids_.at(index); }
   std::size_t grids() const { return grids_.size(); }
   Precision precision() const { return precision_; }
+  // A hash of the names and contents of the scene and its grids, which requests name by index.
+  std::string files() const;
 
   // Throw Abandoned when is_gone() before they have ended, and Error.
   Picture picture(const PictureRequest& request, const IsGone& is_gone) const;
@@ -130,9 +132,9 @@ public:
   // slice_cells_json() has them, those of a uniform grid without the empty ones where these are too many;
   // outline as [from u, from v, to u, to v] in scene units.
   nlohmann::ordered_json slice(const SliceRequest& request, const IsGone& is_gone) const;
-  // {boxes: [{min, max, depth}, …], count}: those that list references, of any depth or
-  // down to one; there a hierarchy's boxes around nodes, too, so that they cover what all do. The first of
-  // `count`.
+  // {boxes: [{min, max, depth}, …], count, depth}: those that list references, of any depth or
+  // down to one; there a hierarchy's boxes around nodes, too, so that they cover what all do. Where there are
+  // more than `most`, of any depth those down to the deepest that fits, or each n-th of `count`.
   nlohmann::ordered_json boxes(const BoxesRequest& request, const IsGone& is_gone) const;
 
   // The scene, its camera, and its grids by name.

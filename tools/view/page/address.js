@@ -16,8 +16,9 @@ function readNumbers(text, count) {
   return numbers.length === count && words.every((word) => word.trim()) && numbers.every(Number.isFinite) ? numbers : null;
 }
 
-// scene: as /api/scene describes it; then the page's `state`, the kind of the scales, and of the WalkPanel {ray, pane, index, step}.
-function writeAddress(scene, {camera, depth, panes, plane, slice}, scale, walk) {
+// scene: as /api/scene describes it; then the page's `state`, the kind of the scales, of the WalkPanel {ray, pane, index,
+// step}, and the plane's zoom.
+function writeAddress(scene, {camera, depth, panes, plane, slice}, scale, walk, zoom) {
   const parts = new URLSearchParams(), own = ownCamera(scene);
   for (const part of ['from', 'at', 'up', 'angle']) {
     if (String(camera[part]) !== String(own[part])) parts.set(part, String(camera[part]));
@@ -30,6 +31,7 @@ function writeAddress(scene, {camera, depth, panes, plane, slice}, scale, walk) 
   if (scale !== 'automatic') parts.set('scale', scale);
   const {axis, share, depth: level} = slice;
   if (axis !== 2 || share !== 0.5 || level !== null) parts.set('slice', ['xyz'[axis], share, ...(level === null ? [] : [level])].join());
+  if (plane && zoom?.axis === axis) parts.set('zoom', [zoom.u, zoom.v, zoom.scale].join());
   if (walk.ray) {
     const {ray, pane, index, step} = walk;
     parts.set('ray', [...ray.origin, ...ray.direction].join());
@@ -40,7 +42,8 @@ function writeAddress(scene, {camera, depth, panes, plane, slice}, scale, walk) 
   return '#' + parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/');
 }
 
-// Whatever of it makes sense: {state, scale, walk}; walk: {ray, look} of WalkPanel.follow(), or null.
+// Whatever of it makes sense: {state, scale, walk, zoom, missing}; walk: {ray, look} of WalkPanel.follow(), or null;
+// missing: names of grids that aren't loaded.
 function readAddress(scene, text) {
   const parts = new URLSearchParams(text.slice(1)), list = (name) => (parts.get(name) || '').split(',');
   const oneOf = (all, name, usual) => all.includes(name) ? name : usual;
@@ -54,16 +57,18 @@ function readAddress(scene, text) {
   const isSlice = ['x', 'y', 'z'].includes(axis) && share >= 0 && share <= 1;
   const slice = {...(isSlice ? {axis: 'xyz'.indexOf(axis), share: Number(share)} : {axis: 2, share: 0.5}),
     depth: isSlice && /^\d{1,2}$/.test(level) ? Number(level) : null};
-  const grids = list('grid').map((name) => scene.grids.findIndex((grid) => gridKey(scene, grid) === name)).filter((grid) => grid >= 0);
-  const plane = parts.get('view') !== 'plane' ? null : grids.length > 0 ? grids.slice(0, MOST_SLICES) : firstGrids(scene);
-  const channels = list('channel'), cells = list('cells');
-  const panes = (grids.length > 0 ? grids : [0]).slice(0, plane ? 1 : 2).map((grid, i) => (
-    {grid, channel: oneOf(scene.channels, channels[i], 'shaded'), cells: oneOf(CELLS, cells[i], 'none')}));
+  const channels = list('channel'), cells = list('cells'), keys = scene.grids.map((grid) => gridKey(scene, grid));
+  const named = list('grid').map((name, i) => (
+    {grid: keys.indexOf(name), channel: oneOf(scene.channels, channels[i], 'shaded'), cells: oneOf(CELLS, cells[i], 'none')}));
+  const known = named.filter(({grid}) => grid >= 0), missing = list('grid').filter((name, i) => name && named[i].grid < 0);
+  const plane = parts.get('view') !== 'plane' ? null : known.length > 0 ? known.slice(0, MOST_SLICES).map(({grid}) => grid) : firstGrids(scene);
+  const panes = (known.length > 0 ? known : [{...named[0], grid: 0}]).slice(0, plane ? 1 : 2);
+  const [u, v, times] = readNumbers(parts.get('zoom'), 3) || [], zoom = times > 1 && times <= 1e4 ? {u, v, scale: times, axis: slice.axis} : null;
   const ray = readNumbers(parts.get('ray'), 6), precision = oneOf(['fast', 'robust', 'double'], parts.get('precision'), null);
   const [pane = 0, index = 0, step = null] = list('walk').map((word) => /^\d{1,9}$/.test(word) ? Number(word) : undefined);
   const walk = ray && ray.slice(3).some((part) => part !== 0) ? {
     ray: {origin: ray.slice(0, 3), direction: ray.slice(3), ...(precision ? {precision} : {}), all: parts.get('all') === '1', depth},
     look: {pane: Math.min(pane, (plane || panes).length - 1), index, step}} : null;
   return {state: {camera: isCamera ? camera : ownCamera(scene), depth, panes, plane, slice},
-    scale: oneOf(['linear', 'logarithmic'], parts.get('scale'), 'automatic'), walk};
+    scale: oneOf(['linear', 'logarithmic'], parts.get('scale'), 'automatic'), walk, zoom, missing};
 }

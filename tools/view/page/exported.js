@@ -98,8 +98,9 @@ class Exported {
 
   async statistics(grid) { return this.data.statistics[grid]; }
   async boxes(grid, depth) { return this.data.boxes[grid][depth === null ? 0 : depth + 1]; }
+  shareOf(share) { return nearestTo(this.data.shares, share); }
   async slice(grid, axis, share) {
     const {shares} = this.data;
-    return this.data.slices[grid][axis * shares.length + shares.indexOf(nearestTo(shares, share))];
+    return this.data.slices[grid][axis * shares.length + shares.indexOf(this.shareOf(share))];
   }
 }

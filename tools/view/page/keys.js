@@ -4,6 +4,7 @@
 const KEY_ORBIT = 0.05, KEY_PAN = 0.03, KEY_ZOOM = 1.08;
 
 function keyOfPicture(pane, event) {
+  if (event.key === 'Escape' && !$('keys-list').hidden) return false; // the page's
   if (state.picking && keyOfPicking(pane, event)) return true;
   if (event.key in ARROWS) {
     const [x, y] = ARROWS[event.key];
@@ -72,8 +73,10 @@ function keyOfPicking(pane, event) {
 // The walk of the camera ray of the pixel at shares x, y of the picture.
 
 function keyOfPage(event) {
-  if (event.ctrlKey || event.altKey || event.metaKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
-  if (event.key === '?') toggleKeys();
+  if (event.ctrlKey || event.altKey || event.metaKey || event.target.type === 'number') return;
+  // Lists, sliders and boxes to tick have keys of their own, but not these.
+  if (/^(INPUT|SELECT)$/.test(event.target.tagName) && ![',', '.', '?', 'Escape'].includes(event.key)) return;
+  if (event.key === '?' || (event.key === 'Escape' && !$('keys-list').hidden)) toggleKeys();
   else if (event.key === 'p') togglePlane();
   else if (event.key === 'v' && !state.plane) toggleCompare();
   else if (event.key === 'Home') setCamera(ownCamera(state.scene));

@@ -18,7 +18,7 @@ const MOST_SLICES = 4;
 let source = null;
 
 const firstGrids = (scene) => scene.grids.map((grid, i) => i).slice(0, MOST_SLICES);
-const fragment = () => writeAddress(state.scene, state, scales.kind, walkPanel || {});
+const fragment = () => writeAddress(state.scene, state, scales.kind, walkPanel || {}, planeView?.zoom);
 let addressTimer = 0;
 function rememberSoon() {
   clearTimeout(addressTimer);
@@ -38,6 +38,7 @@ function update() {
   for (const pane of panes) pane.update();
   showView();
   showFigures();
+  showCost();
   showSlice();
   showWalk();
   rememberSoon();
@@ -79,10 +80,7 @@ function setCamera(camera) {
     if (Camera.same(old, camera)) return;
   }
   state.camera = camera;
-  for (const pane of panes) {
-    if (pane.counting) pane.counting.abort();
-    pane.update();
-  }
+  for (const pane of panes) pane.update();
   showView();
   rememberSoon();
 }
@@ -113,14 +111,30 @@ function toggleCompare() {
     const first = state.panes[0];
     state.panes.push({...first, grid: (first.grid + 1) % state.scene.grids.length});
   }
-  update();
+  keepFocus(update);
 }
 
+// Of grids that are compared the slices; back in the pictures their walk goes on.
+let walkOfPictures = {};
 function togglePlane() {
-  state.plane = state.plane ? null : firstGrids(state.scene);
-  showPanes();
-  walkPanel.clear();
-  update();
+  const grids = [...new Set(state.panes.map((pane) => pane.grid))], back = state.plane ? walkOfPictures : {};
+  const {ray, pane, index, step, pixel} = walkPanel;
+  walkOfPictures = {ray, look: {pane, index, step, pixel}};
+  state.plane = state.plane ? null : grids.length > 1 ? grids : firstGrids(state.scene);
+  keepFocus(() => {
+    showPanes();
+    walkPanel.clear();
+    update();
+  });
+  if (back.ray) walkPanel.follow(back.ray, back.look);
+}
+
+const focusView = () => (state.plane ? planeView.plots[0].canvas : panes[0].stage).focus();
+// Where change() takes away the picture or the slice that has it.
+function keepFocus(change) {
+  const had = document.activeElement.closest('#pictures, #planes');
+  change();
+  if (had && document.activeElement === document.body) focusView();
 }
 
 function showView() {
@@ -143,8 +157,8 @@ function showCost() {
   costFrame = requestAnimationFrame(() => {
     costFrame = 0;
     if (panes.length === 0) return; // the plane, by now
-    const shown = panes.map((pane) => ({name: shortName(pane.settings.grid), frame: pane.frame,
-      counts: pane.counts, grid: state.scene.grids[pane.settings.grid]}));
+    const shown = panes.map((pane) => ({name: shortName(pane.settings.grid), frame: pane.of(pane.frame),
+      counts: pane.of(pane.counts), grid: state.scene.grids[pane.settings.grid]}));
     const isOpen = $('cost').querySelector('details')?.open;
     $('cost').replaceChildren(...costTable(shown));
     $('cost').querySelector('details').open = isOpen;
@@ -184,15 +198,15 @@ function quoted(word) {
   return /^[\w@%+=:,.\/-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
 }
 
-// The command that makes the first picture; of a channel its values, and gridrender's own picture of them; of a cut the slice.
-function command() {
-  const pane = panes[0];
+// The commands that make the pictures; of a channel its values, and gridrender's own picture of them; of a cut the slice.
+const command = () => panes.map((pane) => commandOf(pane, pane.index > 0 ? '-2' : '')).join(' && ');
+function commandOf(pane, suffix) {
   const {scene, grids, precision} = state.scene;
   if (pane.isCut)
-    return `gridstat ${quoted(grids[pane.settings.grid].path)} --slice ${'xyz'[state.slice.axis]}=${100 * state.slice.share}% --outline ${quoted(scene.path)} --lines -o slice.png`;
+    return `gridstat ${quoted(grids[pane.settings.grid].path)} --slice ${'xyz'[state.slice.axis]}=${100 * state.slice.share}% --outline ${quoted(scene.path)} --lines -o slice${suffix}.png`;
   const [width, height] = pane.size();
   const {from, at, up, angle} = pane.camera(width, height);
-  return ['gridrender', quoted(scene.path), quoted(grids[pane.settings.grid].path), '-o picture.png',
+  return ['gridrender', quoted(scene.path), quoted(grids[pane.settings.grid].path), `-o picture${suffix}.png`,
     `--size ${width}x${height}`, `--from=${from.join()}`, `--at=${at.join()}`, `--up=${up.join()}`, `--angle ${angle}`,
     ...(pane.settings.channel === 'shaded' ? [] : [`--channels ${pane.settings.channel.replace('all ', '')}`,
       ...(pane.settings.channel.startsWith('all ') ? ['--all-rays'] : []), '--no-picture', '--sampling centers']),
@@ -208,9 +222,14 @@ function describeScene() {
 }
 
 function openAddress() {
-  const {state: {slice, ...read}, scale, walk} = readAddress(state.scene, location.hash);
+  const {state: {slice, ...read}, scale, walk, zoom, missing} = readAddress(state.scene, location.hash);
   Object.assign(state, read);
-  Object.assign(state.slice, slice); // the slice panel's, too
+  Object.assign(state.slice, slice, {share: source.shareOf(slice.share)}); // the slice panel's, too
+  for (const pane of panes) pane.counts = null; // of another view, perhaps
+  planeView.zoom = zoom;
+  walkOfPictures = {};
+  $('missing').hidden = missing.length === 0;
+  $('missing').textContent = `The link names ${missing.join(' and ')}, which isn’t loaded here. Shown: ${shownGrids().map((grid) => state.scene.grids[grid].name).join(', ')} of ${state.scene.scene.name}.`;
   if (!source.isLive) state.camera = source.nearest(state.camera);
   state.wish = state.camera;
   scales.kind = scale;
@@ -223,7 +242,7 @@ function openAddress() {
 }
 
 async function begin() {
-  source = typeof EXPORTED === 'undefined' ? new Server() : await Exported.from(EXPORTED);
+  source = typeof EXPORTED === 'undefined' ? new Server((is) => { $('lost').hidden = !is; }) : await Exported.from(EXPORTED);
   document.body.classList.toggle('exported', !source.isLive);
   state.scene = await source.scene();
   state.scene.channels = state.scene.channels.filter((channel) => source.isLive || channel !== 'cut');
@@ -234,17 +253,19 @@ async function begin() {
   walkPanel = new WalkPanel($('walk'), source, () => planeView && drawOverlays(), (point) => setCamera(Camera.centered(state.camera, point)));
   planeView = new PlaneView($('planes'), state.scene, source, colors, slicePanel, walkPanel, (index, grid) => {
     state.plane[index] = grid;
+    $('missing').hidden = true;
     update();
-  });
+  }, rememberSoon);
   $('walk-all').addEventListener('change', () => walkPanel.followAgain({all: $('walk-all').checked}));
   openAddress();
+  $('skip').addEventListener('click', focusView);
   $('view-panel').addEventListener('change', changeView);
   $('compare').addEventListener('click', toggleCompare);
   $('plane').addEventListener('click', togglePlane);
   $('reset').addEventListener('click', () => setCamera(ownCamera(state.scene)));
   $('keys').addEventListener('click', toggleKeys);
   $('copy-link').addEventListener('click', () => copy(location.href.split('#')[0] + fragment(), 'Link'));
-  $('copy-command').addEventListener('click', () => copy(command(), 'Command'));
+  $('copy-command').addEventListener('click', () => copy(command(), panes.length > 1 ? 'Commands' : 'Command'));
   document.addEventListener('keydown', keyOfPage);
   window.addEventListener('hashchange', openAddress);
 }

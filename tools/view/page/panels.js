@@ -8,7 +8,7 @@ function element(name, attributes = {}, ...children) {
   for (const [key, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;
     if (typeof value === 'function') made.addEventListener(key.slice(2), value);
-    else made.setAttribute(key, value === true ? '' : value);
+    else made.setAttribute(key, value === true && !key.startsWith('aria-') ? '' : value);
   }
   made.append(...children.filter((child) => child !== null && child !== undefined));
   return made;
@@ -30,6 +30,8 @@ const Text = {
     if (size >= 1000) return Text.count(value);
     return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
   },
+  // 0 where it is nothing beside the extent of all places.
+  place: (value, extent) => Text.number(Math.abs(value) < 1e-4 * extent ? 0 : value),
   // Two digits.
   times: (value) => (value >= 9.95 ? Text.count(value) : value.toFixed(value >= 1.95 ? 1 : 2)),
   bytes(value) {
@@ -68,9 +70,9 @@ function column(all, get) {
 // rows: [name, values, {text, less}], left out where there are none, or [heading]. A column a name; where `less` is a
 // word, the smallest of several values is marked, and of two the last column says how many times it is less: 8 × fewer.
 function table(names, rows, caption) {
-  const body = element('tbody');
-  for (const [name, values, {text = String, less = null, title = null} = {}] of rows) {
-    if (values && values.every((value) => value === null)) continue;
+  const body = element('tbody'), shown = rows.filter(([, values]) => !values || values.some((value) => value !== null));
+  for (const [i, [name, values, {text = String, less = null, title = null} = {}]] of shown.entries()) {
+    if (!values && !shown[i + 1]?.[1]) continue; // a heading of none
     if (!values) {
       body.append(element('tr', {class: 'head'}, element('th', {scope: 'rowgroup', colspan: names.length + (names.length === 2 ? 2 : 1)}, name)));
       continue;
@@ -190,7 +192,7 @@ function binBegin(bin) {
   return bin < 4 ? bin + 1 : Math.ceil(2 ** ((bin + 4) / 4));
 }
 
-// Shares of the occupied cells or boxes, for one grid or two.
+// Shares of the occupied cells or boxes, for up to four grids.
 function histogramChart(names, all) {
   const shares = all.map((s) => {
     const bins = binned(s.histogram);
@@ -220,11 +222,11 @@ function histogramChart(names, all) {
       if (!value) return;
       const bar = (step - 1) / shares.length, tall = Math.max(0.8, (height - bottom - 6) * value.share / most);
       const end = binBegin(bin + 1) - 1;
-      chart.append(element('rect', {class: 'ab'[i % 2], x: x + i * bar, y: height - bottom - tall, width: Math.max(0.6, bar - 0.3), height: tall},
+      chart.append(element('rect', {class: 'abcd'[i], x: x + i * bar, y: height - bottom - tall, width: Math.max(0.6, bar - 0.3), height: tall},
         element('title', {}, `${names[i]}: ${Text.count(value.cells)} with ${binBegin(bin)}${end > binBegin(bin) ? '–' + end : ''} references`)));
     });
   }
-  const keys = element('p', {class: 'note'}, ...names.flatMap((name, i) => [element('span', {class: i % 2 ? 'key b' : 'key'}, name), ' ']));
+  const keys = element('p', {class: 'note'}, ...names.flatMap((name, i) => [element('span', {class: `key ${'abcd'[i]}`}, name), ' ']));
   return element('div', {}, chart, names.length > 1 ? keys : null,
                  element('p', {class: 'note'}, 'Share of occupied cells or boxes by the number of primitives that they list.'));
 }

@@ -2,6 +2,7 @@
 'use strict';
 
 const CELLS = ['none', 'slice', 'boxes', 'ray'];
+const OVERLAY_MS = 30; // for what is drawn over a picture while the view moves
 const TESTED = '#ff9ecb'; // cells and nodes of a walk in which primitives are tested
 const panes = [];        // what is on the page for each of state.panes
 
@@ -44,7 +45,7 @@ class Pane {
 
   set(change) {
     Object.assign(this.settings, change);
-    if ('grid' in change) this.counts = null;
+    if ('grid' in change) $('missing').hidden = true;
     update();
   }
 
@@ -71,24 +72,32 @@ class Pane {
     this.channelSelect.value = this.settings.channel;
     this.cellsSelect.value = this.settings.cells;
     this.stage.setAttribute('aria-label', `${state.scene.scene.name} through ${state.scene.grids[this.settings.grid].name}, ${this.settings.channel}. Arrow keys orbit, Enter picks a pixel.`);
-    this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: this.camera(width, height),
-      width, height, depth: state.depth, axis: state.slice.axis, share: state.slice.share});
+    const isNew = this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: this.camera(width, height),
+      width, height, depth: state.depth, ...(this.isCut ? {axis: state.slice.axis, share: state.slice.share} : {})});
+    if (isNew && this.counting) this.counting.abort();
   }
+  // The newest frame and counts, of the grid that is chosen; null where they are still another one's.
+  of(figures) { return figures && figures.grid === this.settings.grid ? figures : null; }
   get isCut() { return this.settings.channel === 'cut'; }
 
   drawn(frame) {
     this.frame = frame;
+    frame.grid = frame.view.grid;
     const {trace, total} = frame.milliseconds;
     const size = `${Math.round(frame.view.width * frame.scale)} × ${Math.round(frame.view.height * frame.scale)}`;
     const what = frame.isSharp ? 'sharp' : frame.share < 1 ? `${Math.round(100 * frame.share)} %` : 'moving';
     const [precision] = (frame.precision || '').split(':');
     this.status.title = frame.precision || '';
     this.status.textContent = source.isLive
-      ? `${size} · trace ${Text.milliseconds(trace)} · shown after ${Text.milliseconds(total)} · ${precision} · ${what}`
+      ? `${what} · ${size} · trace ${Text.milliseconds(trace)} · shown after ${Text.milliseconds(total)} · ${precision}`
       : `${size} · trace ${Text.milliseconds(trace)} when it was exported`;
     this.root.dataset.state = frame.isSharp ? 'sharp' : 'moving';
     if (frame.isSharp) this.count(frame.view);
-    this.drawOverlay();
+    // Once for each view; what takes long, when it stands.
+    if (frame.view !== this.overlaid) {
+      if (frame.isMoving && this.overlayMs > OVERLAY_MS) this.overlay.begin(frame.view.camera, frame.view.width, frame.view.height);
+      else this.drawOverlay();
+    }
     const {values} = this.picture;
     if (frame.isMoving || frame.isSharp) {
       const span = values && spanOf(values.channel, values.data);
@@ -104,7 +113,8 @@ class Pane {
   drawOverlay() {
     if (!this.frame) return;
     const {camera, width, height} = this.frame.view;
-    const {overlay} = this;
+    const {overlay} = this, begin = performance.now();
+    this.overlaid = this.frame.view;
     overlay.begin(camera, width, height);
     if (this.settings.cells === 'slice' || this.isCut) {
       const slice = slicePanel.of(this.settings.grid);
@@ -112,7 +122,9 @@ class Pane {
         const cells = slicePanel.cellsOf(this.settings.grid);
         if (this.isCut)
           for (const [color, polygons] of sliceColors(slice, cells, colors.reversed(), slicePanel.most())) overlay.fill(polygons, color, 0.85);
-        overlay.boxes(cells.slice(0, 20000).map((cell) => sliceBox(slice, cell)), this.isCut ? '#000' : '#fff', 0.8, this.isCut ? 0.4 : 0.55);
+        const boxes = cells.slice(0, 20000).map((cell) => sliceBox(slice, cell));
+        overlay.boxes(boxes, '#000', this.isCut ? 0.8 : 1.8, 0.4);
+        if (!this.isCut) overlay.boxes(boxes, '#fff', 0.8, 0.75);
         overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), '#ff7a1a', 1.6);
       }
     }
@@ -123,6 +135,7 @@ class Pane {
     this.walkCounts.hidden = !ray;
     if (ray) this.walkCounts.textContent = `${counted(ray.cells, visited(this.structure))}, ${counted(ray.tests, 'test')}`;
     if (state.picking && state.picking.pane === this.index) overlay.crossHair(state.picking.x, state.picking.y, '#ffd54a');
+    this.overlayMs = performance.now() - begin;
   }
 
   // Of several depths: lighter, the deeper.
@@ -162,7 +175,7 @@ class Pane {
     const channel = this.frame.view.channel;
     const isNumber = this.span && this.span.channel === channel;
     const isFirst = panes.find((pane) => pane.settings.channel === channel) === this; // the scale is that of all
-    this.scaleKind.hidden = !isNumber || !COUNTS.includes(channel);
+    this.scaleKind.classList.toggle('unused', !isNumber || !COUNTS.includes(channel));
     this.scaleSelect.value = scales.kind;
     this.scale.hidden = !(isNumber || this.isCut) || !isFirst;
     if (this.scale.hidden) return;
@@ -189,7 +202,7 @@ class Pane {
     if (this.counting) this.counting.abort();
     this.counting = new AbortController();
     try {
-      this.counts = {...await source.counts(small, this.counting.signal), size: [small.width, small.height]};
+      this.counts = {...await source.counts(small, this.counting.signal), grid: view.grid, size: [small.width, small.height]};
       showCost();
     } catch (error) {
       if (error.name !== 'AbortError') this.failed(error.message);

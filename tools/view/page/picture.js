@@ -28,14 +28,16 @@ class Picture {
     this.wake = () => {};
   }
 
-  // view: {grid, channel, camera, width, height, depth}
+  // view: {grid, channel, camera, width, height, depth}. False where it is shown already, or on its way.
   show(view) {
+    if (JSON.stringify(view) === JSON.stringify(this.view)) return false;
     this.view = view;
     this.version += 1;
     this.movedAt = performance.now();
     if (this.abort) this.abort.abort();
     this.wake();
     if (!this.isRunning) this.run();
+    return true;
   }
 
   close() {
@@ -68,7 +70,7 @@ class Picture {
       } catch (error) {
         if (error.name === 'AbortError') continue;
         failures += 1;
-        this.failed(error instanceof TypeError ? 'gridview doesn’t answer: is it still running?' : error.message);
+        this.failed(error.message);
         await this.sleep(Math.min(5000, 500 * failures));
       }
     }

@@ -30,11 +30,11 @@ class SlicePlot {
       element('div', {class: 'plot'}, this.canvas, this.counts));
   }
 
-  // Pixels of the canvas from scene units and back. zoom: {u, v, scale}: its middle and how much larger; null: all.
+  // Pixels of the canvas from scene units and back. zoom: {u, v, scale, axis}: its middle, how much larger, and of which slices; others, and null: all.
   window(slice, zoom) {
     const {canvas} = this;
     const [w, h] = [slice.voxels[0] * slice.step[0], slice.voxels[1] * slice.step[1]];
-    const {u, v, scale: larger} = zoom || {u: slice.min[0] + w / 2, v: slice.min[1] + h / 2, scale: 1};
+    const {u, v, scale: larger} = zoom?.axis === slice.axis ? zoom : {u: slice.min[0] + w / 2, v: slice.min[1] + h / 2, scale: 1};
     const scale = larger * Math.min((canvas.width - 24) / w, (canvas.height - 24) / h);
     return {scale, x: (at) => canvas.width / 2 + (at - u) * scale, y: (at) => canvas.height / 2 - (at - v) * scale,
             u: (x) => u + (x - canvas.width / 2) / scale, v: (y) => v - (y - canvas.height / 2) / scale};
@@ -189,13 +189,13 @@ class SlicePlot {
 }
 
 class PlaneView {
-  // scene: as /api/scene has it; choose(index, grid): another structure for a slice.
-  constructor(root, scene, source, colors, slicePanel, walkPanel, choose) {
-    Object.assign(this, {root, scene, source, colors: colors.reversed(), slicePanel, walkPanel, choose,
+  // scene: as /api/scene has it; choose(index, grid): another structure for a slice; zoomChanged().
+  constructor(root, scene, source, colors, slicePanel, walkPanel, choose, zoomChanged) {
+    Object.assign(this, {root, scene, source, colors: colors.reversed(), slicePanel, walkPanel, choose, zoomChanged,
       plots: [], grids: [], zoom: null, ends: null, wish: null, isFollowing: false});
     this.step = element('input', {class: 'step', type: 'range', min: 0, 'aria-label': 'Step of the walks',
       oninput: () => walkPanel.select(Number(this.step.value))});
-    this.stepText = element('output', {});
+    this.stepText = element('output', {'aria-live': 'off'}); // the walk's panel says it
     this.scaleColors = element('span', {class: 'colors', 'aria-hidden': true});
     this.scaleColors.style.backgroundImage = this.colors.gradient();
     this.most = element('span');
@@ -237,17 +237,16 @@ class PlaneView {
     const {slice, walkPanel: {ray}} = this;
     const [i, j] = slice.axes, isParallel = ray && ray.direction[slice.axis] === 0;
     const isIn = isParallel && ray.origin[slice.axis] === slice.position;
-    if (this.axis !== slice.axis) this.zoom = null;
     if (isParallel && !this.wish) {
       this.ends = {from: [ray.origin[i], ray.origin[j]], to: [ray.origin[i] + ray.direction[i], ray.origin[j] + ray.direction[j]]};
     } else if (this.axis !== slice.axis || !this.ends) {
       // From the left through the middle of the geometry, in shares of the slice.
-      const sides = [0, 1].map((k) => slice.voxels[k] * slice.step[k]), from = [0.02, 0.75];
+      const sides = [0, 1].map((k) => slice.voxels[k] * slice.step[k]), from = [0.0213, 0.7519]; // on no voxel's face
       const [u, v] = sides.map((side, k) => {
         const all = slice.outline.map((line) => (line[k] - slice.min[k]) / side).sort((a, b) => a - b);
         return Math.max(0.1, all[all.length >> 1] ?? 0.5);
       });
-      const far = Math.min(0.96 / (u - from[0]), v < from[1] ? 0.73 / (from[1] - v) : 0.23 / (v - from[1]));
+      const far = Math.min(0.96 / (u - from[0]), v < from[1] ? (from[1] - 0.02) / (from[1] - v) : (0.98 - from[1]) / (v - from[1]));
       const at = (shares) => shares.map((share, k) => slice.min[k] + share * sides[k]);
       this.ends = {from: at(from), to: at([from[0] + far * (u - from[0]), from[1] + far * (v - from[1])])};
     }
@@ -274,6 +273,7 @@ class PlaneView {
     }
     this.wish = null;
     this.isFollowing = false;
+    if (this.walkPanel.ray) this.draw(); // the slice may be another one by now
   }
 
   draw() {
@@ -320,15 +320,14 @@ class PlaneView {
 
   zoomed(plot, factor, u, v) {
     const {slice} = this;
-    const old = this.zoom || {u: slice.min[0] + slice.voxels[0] * slice.step[0] / 2, v: slice.min[1] + slice.voxels[1] * slice.step[1] / 2, scale: 1};
+    const old = this.zoom?.axis === slice.axis ? this.zoom : {u: slice.min[0] + slice.voxels[0] * slice.step[0] / 2, v: slice.min[1] + slice.voxels[1] * slice.step[1] / 2, scale: 1};
     const scale = Math.max(1, Math.min(1e4, old.scale * factor)), share = old.scale / scale;
-    this.zoom = scale === 1 ? null : {u: u + (old.u - u) * share, v: v + (old.v - v) * share, scale};
-    this.draw();
+    this.setZoom(scale === 1 ? null : {u: u + (old.u - u) * share, v: v + (old.v - v) * share, scale, axis: slice.axis});
   }
-
-  pan([u, v]) {
-    this.zoom = {...this.zoom, u: this.zoom.u - u, v: this.zoom.v - v};
+  setZoom(zoom) {
+    this.zoom = zoom;
     this.draw();
+    this.zoomChanged();
   }
 
   // The mouse, fingers and keys of a slice.
@@ -364,7 +363,7 @@ class PlaneView {
         if (!held) return;
         const [a, b] = [inScene(from), inScene(to)], move = [b[0] - a[0], b[1] - a[1]];
         if (held !== 'window') this.move(held, move, held === 'ray' ? null : b);
-        else if (this.zoom) this.pan(move);
+        else if (this.zoom?.axis === plot.slice.axis) this.setZoom({...this.zoom, u: this.zoom.u - move[0], v: this.zoom.v - move[1]});
       },
       pinch: (factor, middle) => plot.slice && this.zoomed(plot, factor, ...inScene(middle)),
       wheel: (lines, place) => plot.slice && this.zoomed(plot, Math.exp(-lines * 0.06), ...inScene(place)),
@@ -373,10 +372,7 @@ class PlaneView {
         this.draw();
       },
     });
-    canvas.addEventListener('dblclick', () => {
-      this.zoom = null;
-      this.draw();
-    });
+    canvas.addEventListener('dblclick', () => this.setZoom(null));
     canvas.addEventListener('keydown', (event) => {
       if (!plot.slice || event.ctrlKey || event.altKey || event.metaKey) return;
       const at = plot.window(plot.slice, this.zoom), [u, v] = [at.u(canvas.width / 2), at.v(canvas.height / 2)];
@@ -404,8 +400,9 @@ class PlaneView {
     const cell = this.slicePanel.cellsOf(this.grids[plot.index]).findLast(([u0, v0, u1, v1]) => cu >= u0 && cu < u1 && cv >= v0 && cv < v1); // of boxes the innermost
     const [i, j] = slice.axes.map((axis) => 'xyz'[axis]);
     const holds = () => cell[6] > 0 && plot.isHierarchy ? `around ${counted(kin(slice.cells, cell).within.length, 'box').replace(/xs$/, 'xes')} here` : counted(cell[4], 'reference');
+    const place = (at, k) => Text.place(at, slice.voxels[k] * slice.step[k]);
     const what = !cell ? 'nothing' : plot.isHierarchy ? `box ${cell[7]}, depth ${cell[5]}` : `voxels ${cell[0]}–${cell[2] - 1}, ${cell[1]}–${cell[3] - 1}`;
-    plot.facts.textContent = plot.under = `${i} ${Text.number(u)}, ${j} ${Text.number(v)}: ${what}${cell ? `, ${holds()}` : ''}`;
+    plot.facts.textContent = plot.under = `${i} ${place(u, 0)}, ${j} ${place(v, 1)}: ${what}${cell ? `, ${holds()}` : ''}`;
     if (plot.hovered === (cell ?? null)) return;
     plot.hovered = cell ?? null;
     if (plot.isHierarchy) this.draw();

@@ -36,6 +36,7 @@ class SlicePanel {
 
   set(change) {
     Object.assign(this.settings, change);
+    this.settings.share = this.source.shareOf(this.settings.share);
     this.moved();
     this.load();
   }
@@ -67,7 +68,9 @@ class SlicePanel {
     this.depthText.textContent = this.settings.depth ?? 'all';
     this.depth.setAttribute('aria-label', 'Depth of cells and boxes; the least: all');
     this.depth.setAttribute('aria-valuetext', this.depthText.textContent);
-    this.depths.hidden = !(this.depth.max > 0);
+    this.place.hidden = !this.hasSlices;
+    this.depths.hidden = !(this.depth.max > 0 && (this.hasSlices || this.hasBoxes));
+    if (!this.hasBoxes) this.boxesText.textContent = this.hasSlices ? '' : 'Cells: slice or boxes draws them over the picture.';
     if (this.isLoading) return;
     this.isLoading = true;
     try {
@@ -110,14 +113,15 @@ class SlicePanel {
 
   draw() {
     const inOrder = (kind) => this.grids.map((grid, i) => [grid, i]).filter(([grid]) => this[kind].has(grid));
-    this.boxesText.textContent = inOrder('boxes').map(([grid, i]) => {
-      const {boxes, count} = this.boxes.get(grid);
-      return `${this.names[i]}: ${count > boxes.length ? `the first ${Text.count(boxes.length)} of ` : ''}${Text.count(count)} boxes over the picture`;
-    }).join('; ') + (this.boxes.size > 0 && this.settings.depth !== 0 ? '; lighter, the deeper' : '');
+    if (this.boxes.size > 0) this.boxesText.textContent = inOrder('boxes').map(([grid, i]) => {
+      const {boxes, count, depth} = this.boxes.get(grid), isReduced = depth !== this.depthOf(grid); // all would be too many
+      return `${this.names[i]}: ${isReduced || boxes.length === count ? '' : `${Text.count(boxes.length)} of `}${Text.count(isReduced ? boxes.length : count)} boxes over the picture` +
+        (isReduced ? `, down to depth ${depth}: all are ${Text.count(count)}` : '');
+    }).join('; ') + (this.settings.depth !== 0 ? '; lighter, the deeper' : '');
     const [shown] = inOrder('slices');
     if (!shown) return;
     const {axis, position, range} = this.of(shown[0]);
-    this.position.textContent = `${'xyz'[axis]} = ${Text.number(position)} of ${Text.number(range[0])} to ${Text.number(range[1])}`;
+    this.position.textContent = `${'xyz'[axis]} = ${Text.place(position, range[1] - range[0])} of ${Text.number(range[0])} to ${Text.number(range[1])}`;
   }
 }
 

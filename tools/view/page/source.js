@@ -12,27 +12,42 @@ function readTiming(header) {
 // What the server or an export compressed. Of a picture's numbers: float32, rows from the top.
 const inflated = (blob) => new Response(blob.stream().pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer();
 
+const RETRY_MS = 500; // more each time, up to ten times as long
+
 class Server {
-  constructor() {
-    this.statisticsOf = new Map();
-    this.isLive = true;
+  // lost(is): whether nobody answers.
+  constructor(lost) {
+    Object.assign(this, {lost, files: null, isLive: true, statisticsOf: new Map()});
   }
 
-  async get(path, parameters, signal) {
-    const query = new URLSearchParams(parameters).toString();
-    const response = await fetch(query ? path + '?' + query : path, {signal, cache: 'no-store', credentials: 'same-origin'});
-    if (response.ok) return response;
-    let why = response.statusText;
-    try {
-      why = (await response.json()).error;
-    } catch { /* no JSON: the status says enough */ }
-    throw new Error(why);
+  // What read(response, when it was asked for) makes of it; asked for again until somebody answers. Where that is
+  // a gridview of other files the page is loaded anew, for the grids that it knows are others.
+  async get(path, parameters, signal, read) {
+    const query = new URLSearchParams({...parameters, ...(this.files ? {files: this.files} : {})}).toString();
+    for (let failures = 1; ; ++failures) {
+      try {
+        const begin = performance.now();
+        const response = await fetch(query ? path + '?' + query : path, {signal, cache: 'no-store', credentials: 'same-origin'});
+        const made = response.ok ? await read(response, begin) : await response.text();
+        this.lost(false);
+        if (response.ok) return made;
+        if (response.status === 409) return new Promise(() => location.reload());
+        throw new Error(made.startsWith('{') ? JSON.parse(made).error : response.statusText);
+      } catch (error) {
+        if (!(error instanceof TypeError)) throw error;
+        this.lost(true);
+        await new Promise((resolve) => setTimeout(resolve, RETRY_MS * Math.min(10, failures)));
+        signal?.throwIfAborted();
+      }
+    }
   }
-  async json(path, parameters, signal) {
-    return (await this.get(path, parameters, signal)).json();
-  }
+  json(path, parameters, signal) { return this.get(path, parameters, signal, (response) => response.json()); }
 
-  scene() { return this.json('api/scene'); }
+  async scene() {
+    const made = await this.json('api/scene');
+    this.files = made.files;
+    return made;
+  }
 
   static cameraParameters(view) {
     const {from, at, up, angle} = view.camera;
@@ -44,13 +59,12 @@ class Server {
   // {image, values, precision, milliseconds: {wait, trace, …, total}, rays}: values of channels that are numbers, an
   // image of others; precision: robust, or another one and why. crop: [x, y, width, height].
   async picture(view, quality, crop, signal) {
-    const begin = performance.now();
-    const parameters = {...Server.cameraParameters(view), quality};
-    if (crop) parameters.crop = crop.join();
-    const response = await this.get('api/picture', parameters, signal);
-    const blob = await response.blob(), isImage = blob.type === 'image/jpeg';
-    const image = isImage ? await createImageBitmap(blob) : null, values = isImage ? null : new Float32Array(await inflated(blob));
-    const {precision, rays, ...milliseconds} = readTiming(response.headers.get('Server-Timing'));
+    const parameters = {...Server.cameraParameters(view), quality, ...(crop ? {crop: crop.join()} : {})};
+    const [blob, timing, begin] = await this.get('api/picture', parameters, signal, async (response, asked) =>
+      [await response.blob(), response.headers.get('Server-Timing'), asked]);
+    const isImage = blob.type === 'image/jpeg', image = isImage ? await createImageBitmap(blob) : null;
+    const values = isImage ? null : new Float32Array(await inflated(blob));
+    const {precision, rays, ...milliseconds} = readTiming(timing);
     return {image, values, precision, milliseconds: {...milliseconds, total: performance.now() - begin - milliseconds.wait}, rays};
   }
 
@@ -77,6 +91,7 @@ class Server {
   planeEnds(slice, ends) { return ends; }
   planeStep(slice, step) { return step; }
 
+  shareOf(share) { return share; }
   slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }
 
   // depth: null for any.

@@ -6,6 +6,7 @@ class WalkPanel {
   // changed(): another ray, walk or step; center(point): orbit around it from now on.
   constructor(root, source, changed, center) {
     Object.assign(this, {root, source, changed, center, grids: [], names: [], structures: []});
+    root.after(this.spoken = element('p', {class: 'unseen', role: 'status'})); // a step, for those who don't see it
     this.clear();
   }
 
@@ -75,6 +76,8 @@ class WalkPanel {
     const {current} = this;
     if (!current || current.steps.length === 0) return false;
     this.select(Math.max(0, Math.min(this.lastStep, this.step + by)));
+    const {cells} = this.body.rows[Math.min(this.step, this.body.rows.length - 1)], count = parseInt(cells[cells.length - 1].textContent, 10);
+    this.spoken.textContent = `step ${this.step + 1} of ${this.lastStep + 1}: ${visited(this.structures[this.pane])} ${cells[1].textContent}, ${counted(count, 'test')}${cells[cells.length - 1].className && ', hit'}`;
     return true;
   }
 
@@ -101,6 +104,7 @@ class WalkPanel {
     const {walk, pixel, current} = this;
     const what = visited(this.structures[this.pane]);
     this.step = Math.min(this.step ?? Infinity, this.lastStep);
+    const t = (value) => Text.number(Math.max(0, value)); // rounded, it may lie before the ray's origin
     const range = (first, end) => first === end - 1 ? `${first}` : `${first}–${end - 1}`;
     // A cell's voxels, or a node and what became of its boxes.
     const placeOf = ({voxels, node}) => node
@@ -136,8 +140,8 @@ class WalkPanel {
       const kept = step.tests.filter((test) => test.kept).length;
       this.body.append(element('tr', {id: `walk-step-${i}`, 'data-step': i, role: 'option', 'aria-selected': i === this.step,
         onclick: () => this.select(i), title: titleOf(step)},
-        ...[String(i), ...placeOf(step), Text.number(step.enter)].map((text) => element('td', {}, text)),
-        element('td', {}, step.exit === null ? '∞' : Text.number(step.exit)), element('td', {class: kept ? 'hit' : null}, `${step.tests.length}${kept ? ' hit' : ''}`)));
+        ...[String(i), ...placeOf(step), t(step.enter), step.exit === null ? '∞' : t(step.exit)].map((text) => element('td', {}, text)),
+        element('td', {class: kept ? 'hit' : null}, `${step.tests.length}${kept ? ' hit' : ''}`)));
     });
     const places = what === 'node' ? ['step', 'node', 'depth', 'boxes'] : ['cell', 'voxels x y z'];
     const head = [...places, 't in', 't out', 'tests'].map((name) => element('th', {scope: 'col'}, name));
