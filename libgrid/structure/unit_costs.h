@@ -17,7 +17,8 @@ struct UnitCosts {
 
 // Of counted rays, in steps to a cell of an irregular grid on that processor: rounded numbers by which the
 // choice among structures is within a percent of the best for rates of nearest hits, measured on an H100 and
-// on a core of its host (docs/performance.md, "The choice").
+// on a core of its host: tools/bench/scripts/performance.sh measures it, performance_tables.py --fit prints
+// those that would be best.
 constexpr UnitCosts unit_costs(StructureKind kind, Processor processor) {
   const bool gpu = processor == Processor::gpu;
   switch (kind) {

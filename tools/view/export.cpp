@@ -106,7 +106,8 @@ Json plane_json(const Viewer& viewer, const Json& slice) {
   std::vector<Vec3d> points;
   for (int side = 0; side < 4; ++side) {
     for (std::size_t i = 0; i < points_per_side; ++i) {
-      const double along = (static_cast<double>(i) + 0.5) / static_cast<double>(points_per_side);
+      const double along =
+          (static_cast<double>(i) + 0.4871) / static_cast<double>(points_per_side); // on no face
       const std::array<double, 2> shares =
           side % 2 == 0 ? std::array{side == 0 ? 0.0 : 1.0, along} : std::array{along, side == 1 ? 0.0 : 1.0};
       Vec3d point;
