@@ -152,9 +152,7 @@ TEST_F(Tables, OfGridbenchFitEightyColumns) {
   };
   for (const Arguments& arguments :
        {with("rays", both, joined(small, {"--random", "1000"})), with("frame", both, small),
-        with("load", both, {"--repeat", "1"}), with("refit", {scene}, {"--repeat", "1"}),
         with("oracle", both, {"--count", "100"}), with("crossings", both, {"--count", "100"}),
-        with("scale", both, joined(small, {"--views", "2", "--large", "32", "--rays", "1000"})),
         with("stability", {"--sweep", "start-triangles,leaving-contrast,axis-ray"}, {"--count", "20"}),
         with("stability", {"--pictures", "--sweep", "needles"}, {})})
     static_cast<void>(narrow("gridbench", arguments));
