@@ -32,8 +32,7 @@ Json json_of(const WalkStep& step, StructureForm form) {
   Json tests = Json::array();
   for (const WalkTest& test : step.tests)
     tests.push_back({{"primitive", test.primitive}, {"t", finite(test.t)}, {"kept", test.kept}});
-  const Json voxels =
-      is_grid(form) ? Json{{"first", step.voxels.first}, {"end", step.voxels.end}} : Json();
+  const Json voxels = is_grid(form) ? Json{{"first", step.voxels.first}, {"end", step.voxels.end}} : Json();
   const WalkNode& node = step.node;
   const Json visited = form == StructureForm::hierarchy ? Json{{"index", node.index},
                                                                {"depth", node.depth},
@@ -125,8 +124,8 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, StructureF
     const WalkStep& step = ray.steps[i];
     const std::size_t line = text.size();
     fmt::format_to(out, "{:>5} {:<{}} {:>9.6g} {:>9.6g}  ",
-                   form != StructureForm::none ? fmt::format("{}", i) : "-", place_of(step, form),
-                   widest, step.enter, step.exit);
+                   form != StructureForm::none ? fmt::format("{}", i) : "-", place_of(step, form), widest,
+                   step.enter, step.exit);
     const std::size_t indent = text.size() - line;
     if (step.tests.empty()) text += "none\n";
     for (std::size_t k = 0; k < step.tests.size(); ++k)
