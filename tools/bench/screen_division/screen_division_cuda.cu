@@ -57,19 +57,19 @@ DividedFrame render_divided_cuda(const SceneFile& scene, const StructureFile& gr
   const auto rays =
       camera_rays<float>(relative_to(scene.origin(), request.camera), request.sampling, request.hither);
   const Tiles tiles = tiles_of(frame.columns, frame.rows);
-  const auto render = [&](const auto& view) {
-    const auto accelerator = files.grid.moved(view);
-    auto* const kernel = divided_kernel<std::decay_t<decltype(accelerator)>>;
+  const auto render = [&]<class View>(const View& view) {
+    auto* const kernel = divided_kernel<View>;
     divided.workers =
         std::min(tiles.count, resident_blocks(kernel, division_tile_side * division_tile_side, workers_each));
     frame.kernel = load(kernel);
     frame.seconds.trace = timed(nullptr, [&] {
       launch(kernel, divided.workers, dim3(division_tile_side, division_tile_side), nullptr, files.scene.view,
-             accelerator, rays, request.rules, tiles, division,
+             view, rays, request.rules, tiles, division,
              division == ScreenDivision::persistent ? next_tile.data() : nullptr, colors.data());
     });
   };
-  grid.is_merged() ? render(grid.merged_view<float>()) : render(grid.view<float>());
+  const StructureRecords& records = *files.structure.records;
+  records.is_merged ? render(merged_view_of<float>(records)) : render(view_of<float>(records));
   colors.download(frame.radiance.data());
   return divided;
 }
