@@ -205,10 +205,10 @@ TEST_P(Choices, TakeNoMoreThanAHierarchyEightTimes) {
     options.structure.kind = GetParam();
     const DescribedStructure built = build_chosen(builder, {scene.bounds(), Hash{1, 2}}, options);
     EXPECT_EQ(built.grid.exceeded, nullptr);
-    // While it is built a hierarchy takes 300 bytes per primitive. Maps with a word for each voxel are small,
-    // or were asked for.
+    // While it is built a hierarchy takes 300 bytes per primitive; a grid's map and its lists are limited to
+    // eight times that each. Maps with a word for each voxel are small, or were asked for.
     const bool asked = GetParam() == StructureKind::x || GetParam() == StructureKind::balance;
-    EXPECT_LE(builder.largest, (std::size_t{1} << (asked ? 28 : 25)) + 8 * 300 * count);
+    EXPECT_LE(builder.largest, (std::size_t{1} << (asked ? 28 : 25)) + 2 * 8 * 300 * count);
     EXPECT_LE(builder.fragments, (std::uint64_t{1} << 16) + 128 * count);
     for (const Considered& considered : built.considered)
       EXPECT_LE(considered.costs.work, (std::uint64_t{1} << 24) + 500 * count);
