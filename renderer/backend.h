@@ -39,8 +39,9 @@ MASU_HD inline Hit<float> listed(const HitRecord& hit) {
 
 // The grid is null for brute force. Files are checked, and the precision is resolved.
 // Pictures: into a frame of sized_frame(), of which every array is written whole.
-void render_cpu(const SceneFile& scene, const StructureFile* grid, const FrameRequest& request, Frame& frame);
-QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* grid, const RayList& rays,
+void render_cpu(const SceneFile& scene, const StructureFile* structure, const FrameRequest& request,
+                Frame& frame);
+QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* structure, const RayList& rays,
                            const RayResults& results, const RaysRequest& request);
 
 // Sets a device up, so that it isn't timed with what comes next. Throws Error(device) where there is none.
@@ -48,7 +49,7 @@ void set_up_cuda(int device);
 
 // Copies the files. What the host hasn't checked, because it stays in the files, is checked on the device
 // before any index in it is followed. Throws Error(device), Error(input) for a damaged or changed file.
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* grid,
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* structure,
                                                      int device);
 // ResidentTracer::moved() on a device, of a scene of that origin: null where it returns none.
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,

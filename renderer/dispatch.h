@@ -69,6 +69,11 @@ AnyStructure<Real> any_structure(const TracedRecords& records) {
   return records ? any_structure<Real>(*records) : AnyStructure<Real>{};
 }
 
+// Whether what rays visit and test is counted: by brute force it always is.
+inline bool is_counted(const TracedRecords& records, const TracingRules& rules) {
+  return rules.count || !records;
+}
+
 // Calls act(view of the records, Method, Counts or NoCounts) for rays of one arithmetic through a scene of
 // that store. What is for use has the code for its structure (GridView, MergedGridView or HierarchyView) and
 // kinds; what is for comparison, counting, brute force and StopRule::first_cell, shares that for AnyStructure
@@ -80,9 +85,9 @@ void with_method(const TracedRecords& records, const TracingRules& rules, const 
   const auto with_any = [&] {
     AnyStructure<Real> any = any_structure<Real>(records);
     any.stop = rules.stop;
-    rules.count || !records ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
+    is_counted(records, rules) ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
   };
-  if (!records || rules.count || rules.stop == StopRule::first_cell) return with_any();
+  if (is_counted(records, rules) || rules.stop == StopRule::first_cell) return with_any();
   with_structure_view<Real>(*records, [&]<class View>(const View& view) {
     if constexpr (is_specialised<TestRay, Stored, View>) {
       if (rules.general) return act(view, General{}, NoCounts{});

@@ -200,14 +200,15 @@ MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& ru
 
 // The light that comes back along a camera ray, and what it hit. M: a Method.
 template <class M, class Stored, class Structure, class Counts>
-MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Structure& grid, const RenderRules& rules,
-                              const Ray<typename M::Real>& first, HitRecord& first_hit, Counts& counts) {
+MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Structure& structure,
+                              const RenderRules& rules, const Ray<typename M::Real>& first,
+                              HitRecord& first_hit, Counts& counts) {
   using Real = typename M::Real;
   RayTree<Real> tree(first);
   for (;;) {
     const auto hit =
-        nearest_hit_near<M>(scene, grid, unbounded_ray(tree.ray.origin, tree.ray.direction), counts);
-    const auto occluded = [&](const Ray<Real>& ray) { return is_occluded<M>(scene, grid, ray, counts); };
+        nearest_hit_near<M>(scene, structure, unbounded_ray(tree.ray.origin, tree.ray.direction), counts);
+    const auto occluded = [&](const Ray<Real>& ray) { return is_occluded<M>(scene, structure, ray, counts); };
     const auto arrive = [&] { return arrival<M>(scene, rules, hit, tree.ray.direction); };
     if (!follow(scene, rules, hit, tree, first_hit, arrive, occluded, counts)) return tree.light;
   }

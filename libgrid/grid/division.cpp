@@ -1,7 +1,6 @@
 #include "libgrid/grid/division.h"
 
 #include "libgrid/structure/unit_costs.h"
-
 #include "libscene/base/error.h"
 #include "libscene/geometry/margin.h"
 

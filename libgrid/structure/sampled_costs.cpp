@@ -1,8 +1,7 @@
 #include "libgrid/structure/sampled_costs.h"
 
-#include "libgrid/structure/unit_costs.h"
-
 #include "libgrid/file/structure_file.h"
+#include "libgrid/structure/unit_costs.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/geometry/random_rays.h"
 #include "libscene/geometry/surface.h"

@@ -31,8 +31,7 @@ constexpr UnitCosts unit_costs(StructureKind kind, Processor processor) {
   }
 }
 
-// Of a random line through the middle of the primitives (division.cpp): in steps from voxel to voxel. More
-// than a counted test's, for lines meet fewer primitives there than rays that are aimed at them.
+// Of a random line through the middle of the primitives (division.cpp): in steps from voxel to voxel.
 inline constexpr UnitCosts division_costs{1, 2.5};
 
 // Of a box of an irregular grid that is divided (splitter.h): in tests, as its option step_cost has it. The

@@ -18,17 +18,17 @@ struct AnyStructure {
   HierarchyView<Real> hierarchy{};
 };
 
-inline StructureForm form_of(const StructureRecords& grid) {
-  return grid.is_hierarchy ? StructureForm::hierarchy
-         : grid.is_merged  ? StructureForm::merged
-                           : StructureForm::uniform;
+inline StructureForm form_of(const StructureRecords& structure) {
+  return structure.is_hierarchy ? StructureForm::hierarchy
+         : structure.is_merged  ? StructureForm::merged
+                                : StructureForm::uniform;
 }
 template <class Real>
-AnyStructure<Real> any_structure(const StructureRecords& grid) {
-  AnyStructure<Real> any{form_of(grid)};
-  if (any.form == StructureForm::uniform) any.uniform = view_of<Real>(grid);
-  if (any.form == StructureForm::merged) any.merged = merged_view_of<Real>(grid);
-  if (any.form == StructureForm::hierarchy) any.hierarchy = hierarchy_view_of<Real>(grid);
+AnyStructure<Real> any_structure(const StructureRecords& structure) {
+  AnyStructure<Real> any{form_of(structure)};
+  if (any.form == StructureForm::uniform) any.uniform = view_of<Real>(structure);
+  if (any.form == StructureForm::merged) any.merged = merged_view_of<Real>(structure);
+  if (any.form == StructureForm::hierarchy) any.hierarchy = hierarchy_view_of<Real>(structure);
   return any;
 }
 

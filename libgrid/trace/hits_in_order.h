@@ -133,7 +133,7 @@ struct NextHits {
 // Calls act(i, near, front) for hit i, from 0 to below `limit`, at t_min < t < t_max; `near` as
 // nearest_hit_near() has it. Returns how many there were.
 template <class M, class Stored, class Structure, class Act>
-MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const Structure& grid,
+MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const Structure& structure,
                                            const Ray<typename M::Real>& ray, const HitFilter& filter,
                                            std::uint32_t limit, const Act& act) {
   using Real = typename M::Real;
@@ -151,7 +151,7 @@ MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const
   const auto pass = [&](auto room) {
     NextHits<M, Stored, decltype(room)> next{scene,          test_ray, counts,
                                              near.ray.t_max, filter,   std::move(room)};
-    visit(grid, near, scene.primitive_count(), next);
+    visit(structure, near, scene.primitive_count(), next);
     next.room.sort();
     for (int i = 0; i < next.room.count; ++i) {
       last = next.room.hits[static_cast<std::size_t>(i)];

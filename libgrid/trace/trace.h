@@ -198,7 +198,7 @@ MASU_HD inline void visit(const NoStructure&, const ClippedRay<Real>&, std::uint
 // AnyStructure<Real> (any_structure.h); M: a Method.
 template <class M, class Stored, class Structure, class Counts>
 MASU_HD inline NearHit<typename M::TestRay>
-nearest_hit_near(const SceneView<Stored>& scene, const Structure& grid, const Ray<typename M::Real>& ray,
+nearest_hit_near(const SceneView<Stored>& scene, const Structure& structure, const Ray<typename M::Real>& ray,
                  Counts& counts) {
   using Real = typename M::Real;
   ClippedRay<Real> near{};
@@ -207,24 +207,24 @@ nearest_hit_near(const SceneView<Stored>& scene, const Structure& grid, const Ra
   if (!meets_bounds) return {{}, {ray.t_max, no_primitive}, 0};
   typename M::TestRay test_ray;
   prepare(test_ray, near.ray.origin, near.ray.direction);
-  const auto stop = stop_rule(grid);
+  const auto stop = stop_rule(structure);
   NearestHit<M, Stored, Counts, std::decay_t<decltype(stop)>> visitor{
       scene, test_ray, counts, near.ray.t_min, near.ray.t_max, {near.ray.t_max, 0}, stop};
-  visit(grid, near, scene.primitive_count(), visitor);
+  visit(structure, near, scene.primitive_count(), visitor);
   if (!(visitor.hit.t < near.ray.t_max)) visitor.hit = {ray.t_max, no_primitive};
   return {test_ray, visitor.hit, near.skipped};
 }
 
 // The same; the hit's t counts from the ray's own origin.
 template <class M, class Stored, class Structure, class Counts>
-MASU_HD inline Hit<typename M::Real> nearest_hit(const SceneView<Stored>& scene, const Structure& grid,
+MASU_HD inline Hit<typename M::Real> nearest_hit(const SceneView<Stored>& scene, const Structure& structure,
                                                  const Ray<typename M::Real>& ray, Counts& counts) {
-  return relative_to_origin(nearest_hit_near<M>(scene, grid, ray, counts));
+  return relative_to_origin(nearest_hit_near<M>(scene, structure, ray, counts));
 }
 
 // Whether any primitive is hit at t_min < t < t_max.
 template <class M, class Stored, class Structure, class Counts>
-MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Structure& grid,
+MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Structure& structure,
                                 const Ray<typename M::Real>& ray, Counts& counts) {
   using Real = typename M::Real;
   ClippedRay<Real> near{};
@@ -234,7 +234,7 @@ MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Structure&
   typename M::TestRay test_ray;
   prepare(test_ray, near.ray.origin, near.ray.direction);
   AnyHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_min, near.ray.t_max, near.ray.t_max};
-  visit(grid, near, scene.primitive_count(), visitor);
+  visit(structure, near, scene.primitive_count(), visitor);
   return visitor.found();
 }
 

@@ -22,12 +22,12 @@ double seconds_of(const Act& act) {
 
 // Calls act(SceneView, grid's view, Method, counts).
 template <class Act>
-void with_everything(const SceneFile& scene, const StructureFile* grid, const TracingRules& rules,
+void with_everything(const SceneFile& scene, const StructureFile* structure, const TracingRules& rules,
                      const Act& act) {
   with_store_and_arithmetic(
       scene, rules.precision,
       [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
-        with_method<TestRay, Stored>(records_of(grid), rules,
+        with_method<TestRay, Stored>(records_of(structure), rules,
                                      [&](const auto& accelerator, auto method, auto counts) {
                                        act(view, accelerator, method, counts);
                                      });

@@ -254,9 +254,10 @@ private:
 
 // As trace_in_step() (ray_lanes.h), by packets.
 template <Query query, class M, class Stored, class Found>
-[[gnu::noinline]] inline std::size_t
-trace_packets(const SceneView<Stored>& scene, const HierarchyView<typename M::Real>& grid, const void* rays,
-              const RayFormat& format, std::size_t first, std::size_t end, const Found& found) {
+[[gnu::noinline]] inline std::size_t trace_packets(const SceneView<Stored>& scene,
+                                                   const HierarchyView<typename M::Real>& hierarchy,
+                                                   const void* rays, const RayFormat& format,
+                                                   std::size_t first, std::size_t end, const Found& found) {
   using Real = typename M::Real;
   using Walk = PacketWalk<query, M, Stored>;
   using Rays = typename Walk::Rays;
@@ -283,7 +284,7 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<typename M::Re
               left[other] & ~(smallest(packet[other].inverse.all() * all_of(way)) < Real(0)).bits();
           left[other] ^= alike[other];
         }
-        Walk walk(scene, grid, packet, alike, way);
+        Walk walk(scene, hierarchy, packet, alike, way);
         walk.walk();
         for (int of = 0; of < Walk::rows; ++of) {
           each_bit(alike[of], [&](int lane) {
@@ -322,14 +323,14 @@ trace_packets(const SceneView<Stored>& scene, const HierarchyView<typename M::Re
 // and few of them meet the same boxes: of triangles, which in step are tested eight at a time, whichever
 // rays', only those are better off as packets that begin at one point.
 template <Query query, class M, class Stored, class Found>
-inline std::size_t trace_list(const SceneView<Stored>& scene, const HierarchyView<typename M::Real>& grid,
-                              const void* rays, const RayFormat& format, std::size_t first, std::size_t end,
-                              const Found& found) {
+inline std::size_t
+trace_list(const SceneView<Stored>& scene, const HierarchyView<typename M::Real>& hierarchy, const void* rays,
+           const RayFormat& format, std::size_t first, std::size_t end, const Found& found) {
   constexpr bool from_one_point = query == Query::occlusion && tests_triangles_in_lanes<M, Stored>;
   constexpr float share = from_one_point ? 0x1p-12F : 0x1p-5F;
   return are_coherent(share, rays, format, first, end, cast<float>(scene.clip))
-             ? trace_packets<query, M>(scene, grid, rays, format, first, end, found)
-             : trace_in_step<query, M>(scene, grid, rays, format, first, end, found);
+             ? trace_packets<query, M>(scene, hierarchy, rays, format, first, end, found)
+             : trace_in_step<query, M>(scene, hierarchy, rays, format, first, end, found);
 }
 
 } // namespace masu

@@ -16,8 +16,8 @@ class PixelLists {
 public:
   using Real = typename M::Real;
 
-  PixelLists(const SceneView<Stored>& scene, const HierarchyView<Real>& grid, const RenderRules& rules)
-      : scene_(scene), grid_(grid), rules_(rules) {}
+  PixelLists(const SceneView<Stored>& scene, const HierarchyView<Real>& hierarchy, const RenderRules& rules)
+      : scene_(scene), hierarchy_(hierarchy), rules_(rules) {}
 
   void clear() { pixels_.clear(); }
   // Before follow_all(). Neighbours among the pixels should be neighbours in the picture.
@@ -74,7 +74,8 @@ private:
     });
     NoCounts counts;
     for (std::size_t k = 0; k < going.size(); ++k) // no list has those hit anything
-      if (!is_valid(rays_[k])) pixels_[going[k]].hit = nearest_hit_near<M>(scene_, grid_, rays_[k], counts);
+      if (!is_valid(rays_[k]))
+        pixels_[going[k]].hit = nearest_hit_near<M>(scene_, hierarchy_, rays_[k], counts);
   }
 
   void trace_shadow_rays(const std::vector<std::size_t>& going) {
@@ -97,7 +98,7 @@ private:
       dark_[k] = found.near.primitive != no_primitive;
     });
     for (std::size_t k = 0; k < dark_.size(); ++k)
-      if (!is_valid(rays_[k])) dark_[k] = is_occluded<M>(scene_, grid_, rays_[k], counts);
+      if (!is_valid(rays_[k])) dark_[k] = is_occluded<M>(scene_, hierarchy_, rays_[k], counts);
   }
 
   // Calls found(k, hit) for each of rays_, and adds to them what fills up the last lanes.
@@ -106,7 +107,7 @@ private:
     const std::size_t count = rays_.size();
     rays_.resize((count + RayLanes<Real>::count - 1) / RayLanes<Real>::count *
                  RayLanes<Real>::count); // not valid
-    trace_list<query, M>(scene_, grid_, rays_.data(), own_format<Real>, 0, rays_.size(),
+    trace_list<query, M>(scene_, hierarchy_, rays_.data(), own_format<Real>, 0, rays_.size(),
                          [&](std::size_t k, const ListedHit<Real>& hit) {
                            if (k < count) found(k, hit);
                          });
@@ -114,7 +115,7 @@ private:
   }
 
   const SceneView<Stored>& scene_;
-  const HierarchyView<Real>& grid_;
+  const HierarchyView<Real>& hierarchy_;
   const RenderRules& rules_;
   std::vector<Pixel> pixels_;
   std::vector<Ray<Real>> rays_;

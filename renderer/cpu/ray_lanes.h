@@ -151,7 +151,7 @@ private:
 // Traces the rays of a list from `first` on, as many times RayLanes::count as there are before `end`, one
 // after the other. Calls found(i, ListedHit) for each, in any order, and returns the first that is left.
 template <Query query, class M, class Stored, class Structure, class Found>
-inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Structure& grid, const void* rays,
+inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Structure& structure, const void* rays,
                                  const RayFormat& format, std::size_t first, std::size_t end,
                                  const Found& found) {
   using Real = typename M::Real;
@@ -168,11 +168,11 @@ inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Structure
         NoCounts counts;
         if constexpr (query == Query::occlusion) {
           AnyHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_min, t_max, t_max};
-          visit(grid, lanes.clipped(i), scene.primitive_count(), visitor);
+          visit(structure, lanes.clipped(i), scene.primitive_count(), visitor);
           if (visitor.found()) hit.near = {visitor.hit, 0};
         } else {
           NearestHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_min, t_max, {t_max, 0}};
-          visit(grid, lanes.clipped(i), scene.primitive_count(), visitor);
+          visit(structure, lanes.clipped(i), scene.primitive_count(), visitor);
           if (visitor.hit.t < t_max) hit.near = visitor.hit;
         }
       }
@@ -184,9 +184,10 @@ inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Structure
 
 // The same, eight in step.
 template <Query query, class M, class Stored, class Found>
-[[gnu::noinline]] inline std::size_t
-trace_in_step(const SceneView<Stored>& scene, const HierarchyView<typename M::Real>& grid, const void* rays,
-              const RayFormat& format, std::size_t first, std::size_t end, const Found& found) {
+[[gnu::noinline]] inline std::size_t trace_in_step(const SceneView<Stored>& scene,
+                                                   const HierarchyView<typename M::Real>& hierarchy,
+                                                   const void* rays, const RayFormat& format,
+                                                   std::size_t first, std::size_t end, const Found& found) {
   using Real = typename M::Real;
   using Rays = RayLanes<Real>;
   end = first + (end - first) / Rays::count * Rays::count;
@@ -224,7 +225,7 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<typename M::Re
       std::fill_n(listed, std::size(listed), Listed{none, 0, 0});
     }
   };
-  Group groups[]{Group(grid), Group(grid), Group(grid)};
+  Group groups[]{Group(hierarchy), Group(hierarchy), Group(hierarchy)};
   const auto next_ray = [&](Group& group, int lane) {
     Listed& listed = group.listed[lane];
     if (listed.i != none)

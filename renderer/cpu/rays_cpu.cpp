@@ -16,7 +16,7 @@ constexpr std::size_t rays_per_task = 4096;
 // Traces as many rays from `first` on as can be several at a time; returns the first one left.
 template <Query query, class M, class Stored, class Structure, class C>
 std::size_t
-trace_in_lanes([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]] const Structure& grid,
+trace_in_lanes([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]] const Structure& structure,
                [[maybe_unused]] const RayList& rays, [[maybe_unused]] const RayResults& results,
                [[maybe_unused]] ListProgress& progress, std::size_t first, [[maybe_unused]] std::size_t end) {
 #ifdef MASU_HOST_AVX2
@@ -37,21 +37,21 @@ trace_in_lanes([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]]
       return trace_list<query, Tests>(scene, hierarchy, rays.rays, rays.format, first, end, found);
     };
     if constexpr (is_any_structure<Structure>) { // no code is compiled for its structure and kinds alone
-      if (grid.form != StructureForm::hierarchy) return first;
+      if (structure.form != StructureForm::hierarchy) return first;
       return scene.primitive_count() == scene.triangle_count
-                 ? by_list(Method<typename M::TestRay, with_triangles>{}, grid.hierarchy)
-                 : by_list(M{}, grid.hierarchy);
+                 ? by_list(Method<typename M::TestRay, with_triangles>{}, structure.hierarchy)
+                 : by_list(M{}, structure.hierarchy);
     } else if constexpr (std::is_same_v<Structure, HierarchyView<Real>>)
-      return by_list(M{}, grid);
+      return by_list(M{}, structure);
     else
-      return trace_in_turn<query, M>(scene, grid, rays.rays, rays.format, first, end, found);
+      return trace_in_turn<query, M>(scene, structure, rays.rays, rays.format, first, end, found);
   }
 #endif
   return first;
 }
 
 template <Query query, class M, class Stored, class Structure, class C>
-void trace(const SceneView<Stored>& scene, const Structure& grid, const RayList& rays,
+void trace(const SceneView<Stored>& scene, const Structure& structure, const RayList& rays,
            const RayResults& results, const std::function<void(double)>& report_progress, QueryReport& report,
            const C&) {
   using Real = typename M::Real;
@@ -60,13 +60,13 @@ void trace(const SceneView<Stored>& scene, const Structure& grid, const RayList&
   tbb::combinable<Counts> totals;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task), [&](const auto& range) {
     C counts;
-    for (std::size_t i = trace_in_lanes<query, M, Stored, Structure, C>(scene, grid, rays, results, progress,
-                                                                        range.begin(), range.end());
+    for (std::size_t i = trace_in_lanes<query, M, Stored, Structure, C>(scene, structure, rays, results,
+                                                                        progress, range.begin(), range.end());
          i != range.end(); ++i) {
       progress.done(i);
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       C ray_counts;
-      const Hit<float> hit = trace_listed<query, M>(scene, grid, ray.ray, ray_counts);
+      const Hit<float> hit = trace_listed<query, M>(scene, structure, ray.ray, ray_counts);
       write_hit<query>(results, i, hit);
       write_costs(results.costs, i, ray_counts);
       add(counts, ray_counts);
@@ -81,39 +81,39 @@ void trace(const SceneView<Stored>& scene, const Structure& grid, const RayList&
 
 // Of hits in order: through any structure, of any kind.
 template <class TestRay, class Stored>
-void list_hits(const SceneView<Stored>& scene, const StructureFile* grid, const RayList& rays,
+void list_hits(const SceneView<Stored>& scene, const StructureFile* structure, const RayList& rays,
                const RayResults& results, const HitRules& rules,
                const std::function<void(double)>& report_progress) {
   using Real = typename TestRay::Real;
-  ListProgress progress(report_progress, rays.count, 16, grid == nullptr ? scene.primitive_count() : 0);
-  const AnyStructure<Real> structure = any_structure<Real>(records_of(grid));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task / 16),
-                    [&](const auto& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        progress.done(i);
-                        const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
-                        write_hits<Method<TestRay, with_all_kinds>>(scene, structure, ray.ray, rays.filters,
-                                                                    rules, results, i);
-                        add_skipped(ray.skipped, results, i * rules.row(), rules.row());
-                      }
-                    });
+  ListProgress progress(report_progress, rays.count, 16, structure == nullptr ? scene.primitive_count() : 0);
+  const AnyStructure<Real> view = any_structure<Real>(records_of(structure));
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task / 16), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          progress.done(i);
+          const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
+          write_hits<Method<TestRay, with_all_kinds>>(scene, view, ray.ray, rays.filters, rules, results, i);
+          add_skipped(ray.skipped, results, i * rules.row(), rules.row());
+        }
+      });
 }
 
 } // namespace
 
-QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* grid, const RayList& rays,
+QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* structure, const RayList& rays,
                            const RayResults& results, const RaysRequest& request) {
   QueryReport report;
   if (needs_hits_in_order(rays, results, request)) {
     with_store_and_arithmetic(
         scene, request.tracing.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
           if constexpr (!std::is_same_v<TestRay, TextbookRay>)
-            report.seconds.trace = seconds_of(
-                [&] { list_hits<TestRay>(view, grid, rays, results, hit_rules(request), request.progress); });
+            report.seconds.trace = seconds_of([&] {
+              list_hits<TestRay>(view, structure, rays, results, hit_rules(request), request.progress);
+            });
         });
     return report;
   }
-  with_everything(scene, grid, request.tracing,
+  with_everything(scene, structure, request.tracing,
                   [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
                     with_query(request.query, [&]<Query query>(QueryTag<query>) {
                       report.seconds.trace = seconds_of([&] {

@@ -64,7 +64,7 @@ struct Pixels {
 };
 
 template <class M, class Stored, class Structure, class C>
-void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Structure& grid, const C&) {
+void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Structure& structure, const C&) {
   const FrameRequest& request = pixels.request;
   Frame& frame = pixels.frame;
   tbb::combinable<Counts> totals;
@@ -76,7 +76,7 @@ void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Str
       HitRecord hit{};
       C ray_counts;
       const Vec3f light =
-          radiance<M>(pixels.scene, grid, request.rules, pixels.ray(column, row), hit, ray_counts);
+          radiance<M>(pixels.scene, structure, request.rules, pixels.ray(column, row), hit, ray_counts);
       pixels.write(column, row, light, hit);
       write_costs(costs, pixels.index(column, row), ray_counts);
       if (row < counted_rows) add(counts, ray_counts);
@@ -89,9 +89,9 @@ void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Str
 #ifdef MASU_HOST_AVX2
 template <class M, class Stored>
 void render_by_lists(const Pixels<typename M::Real, Stored>& pixels,
-                     const HierarchyView<typename M::Real>& grid) {
+                     const HierarchyView<typename M::Real>& hierarchy) {
   tbb::enumerable_thread_specific<PixelLists<M, Stored>> all_lists(
-      [&] { return PixelLists<M, Stored>(pixels.scene, grid, pixels.request.rules); });
+      [&] { return PixelLists<M, Stored>(pixels.scene, hierarchy, pixels.request.rules); });
   for_each_tile(pixels.request, pixels.frame, [&](const Tile& tile) {
     PixelLists<M, Stored>& lists = all_lists.local();
     lists.clear();
@@ -107,26 +107,27 @@ void render_by_lists(const Pixels<typename M::Real, Stored>& pixels,
 #endif
 
 template <class M, class Stored, class Structure, class C>
-void render(const SceneView<Stored>& scene, const Structure& grid, const FrameRequest& request, Frame& frame,
-            const C& counts) {
+void render(const SceneView<Stored>& scene, const Structure& structure, const FrameRequest& request,
+            Frame& frame, const C& counts) {
   const Pixels<typename M::Real, Stored> pixels{scene, request, frame};
 #ifdef MASU_HOST_AVX2
   // Spheres and cones are tested one at a time either way, and rings' pictures would take 5 % longer.
   if constexpr (tests_triangles_in_lanes<M, Stored> && is_hierarchy<Structure> && !C::is_counted) {
-    render_by_lists<M>(pixels, grid);
+    render_by_lists<M>(pixels, structure);
   } else
 #endif
-    render_one_by_one<M>(pixels, grid, counts);
+    render_one_by_one<M>(pixels, structure, counts);
 }
 
 } // namespace
 
-void render_cpu(const SceneFile& scene, const StructureFile* grid, const FrameRequest& request,
+void render_cpu(const SceneFile& scene, const StructureFile* structure, const FrameRequest& request,
                 Frame& frame) {
-  with_everything(
-      scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
-        frame.seconds.trace = seconds_of([&] { render<M>(view, accelerator, request, frame, counts); });
-      });
+  with_everything(scene, structure, request.tracing,
+                  [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
+                    frame.seconds.trace =
+                        seconds_of([&] { render<M>(view, accelerator, request, frame, counts); });
+                  });
 }
 
 } // namespace masu

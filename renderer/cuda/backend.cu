@@ -19,7 +19,7 @@ namespace {
 
 // Checks the records that the host hasn't, and prepares what is made of them.
 template <class Stored>
-unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const StructureFile* grid) {
+unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const StructureFile* structure) {
   const DeviceChecker checker(files.memory);
   const SceneView<Stored>& view = files.scene.view;
   const auto refuse = [](const std::string& path, const char* fault) {
@@ -27,8 +27,8 @@ unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, con
   };
   if (scene.residence() == Residence::file)
     refuse(scene.path(), fault_of(checker, view, scene.bounds(), scene.counts()));
-  if (grid != nullptr && grid->residence() == Residence::file)
-    refuse(grid->path(), fault_of(checker, *files.structure.records));
+  if (structure != nullptr && structure->residence() == Residence::file)
+    refuse(structure->path(), fault_of(checker, *files.structure.records));
   files.make_leaves();
   const bool has_tapers =
       !checker.all(view.cone_count, [=] __device__(std::uint64_t i) { return !tapers(view.cones[i]); });
@@ -37,16 +37,16 @@ unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, con
 
 } // namespace
 
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* grid,
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* structure,
                                                      int device) {
   const DeviceScope scope(device);
   const auto memory = std::make_shared<DeviceMemory>(device);
   auto files = std::make_shared<DeviceFiles>(memory);
   Transfer upload(memory->pool);
   const auto upload_as = [&]<class Stored>(std::optional<DeviceFilesOf<Stored>>& stored) {
-    stored.emplace(scene, grid, memory->pool, upload);
+    stored.emplace(scene, structure, memory->pool, upload);
     upload.run();
-    files->kinds = checked_kinds(*stored, scene, grid);
+    files->kinds = checked_kinds(*stored, scene, structure);
   };
   scene.is_float64() ? upload_as(files->float64) : upload_as(files->float32);
   return files;

@@ -102,9 +102,8 @@ struct DeviceFiles {
       masu::with_arithmetic(files.scene.view, precision, [&](auto arithmetic) { act(files, arithmetic); });
     });
   }
-  // Whether what is traced by these rules is counted: brute force always is.
   bool are_counted(const TracingRules& rules) const {
-    return rules.count || !with_store([](const auto& files) { return files.structure.records.has_value(); });
+    return with_store([&](const auto& files) { return is_counted(files.structure.records, rules); });
   }
 };
 

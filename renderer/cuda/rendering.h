@@ -13,7 +13,7 @@ namespace masu {
 
 template <class M, class Stored, class Structure, class C>
 __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
-    render_kernel(const SceneView<Stored> scene, const Structure grid,
+    render_kernel(const SceneView<Stored> scene, const Structure structure,
                   const CameraRays<typename M::Real> rays, const RenderRules rules, Vec3f* const colors,
                   HitRecord* const hits, Counts* const total, const RayCosts costs,
                   const std::int32_t counted_rows) {
@@ -24,7 +24,7 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
   HitRecord hit{};
   const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
                             static_cast<std::size_t>(column);
-  const Vec3f light = radiance<M>(scene, grid, rules, camera_ray(rays, column, row), hit, counts);
+  const Vec3f light = radiance<M>(scene, structure, rules, camera_ray(rays, column, row), hit, counts);
   if (colors != nullptr) colors[index] = light;
   if (hits != nullptr) hits[index] = hit;
   write_costs(costs, index, counts);
@@ -45,7 +45,7 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const FrameRequest& re
   const DeviceArray<std::int32_t> objects(frame.objects.size(), memory);
   const DeviceArray<Vec3f> normals(frame.normals.size(), memory);
   const DeviceArray<std::uint32_t> cells(frame.cells.size(), memory), tests(frame.tests.size(), memory);
-  const DeviceArray<Counts> total(&frame.counts, request.tracing.count || !files.structure.records ? 1 : 0,
+  const DeviceArray<Counts> total(&frame.counts, is_counted(files.structure.records, request.tracing) ? 1 : 0,
                                   memory);
   with_method<TestRay, Stored>(
       files.structure.records, request.tracing, [&]<class M, class C>(const auto& view, M, C) {

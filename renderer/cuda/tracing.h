@@ -13,12 +13,13 @@ namespace masu {
 
 template <Query query, class M, class Stored, class Structure, class C>
 __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
-    trace_kernel(const SceneView<Stored> scene, const Structure grid, const Ray<typename M::Real>* const rays,
-                 const std::uint64_t count, const RayResults results, Counts* const total) {
+    trace_kernel(const SceneView<Stored> scene, const Structure structure,
+                 const Ray<typename M::Real>* const rays, const std::uint64_t count, const RayResults results,
+                 Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_per_block + threadIdx.x;
   if (i >= count) return;
   C counts;
-  write_hit<query>(results, i, trace_listed<query, M>(scene, grid, streamed(rays + i), counts));
+  write_hit<query>(results, i, trace_listed<query, M>(scene, structure, streamed(rays + i), counts));
   write_costs(results.costs, i, counts);
   add(total, counts);
 }

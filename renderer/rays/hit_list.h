@@ -38,7 +38,7 @@ struct HitRules {
 
 // Writes the results of ray i.
 template <class M, class Stored, class Structure>
-MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Structure& grid,
+MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Structure& structure,
                                Ray<typename M::Real> ray, const RayFilters& filters, const HitRules& rules,
                                const RayResults& results, std::size_t i) {
   using Real = typename M::Real;
@@ -59,7 +59,7 @@ MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Structure& 
   const bool writes = lists || rules.query == Query::nearest_hit;
   std::int32_t leaves = 0; // how often more than it enters
   const std::uint32_t count =
-      hits_in_order<M>(scene, grid, ray, filter, counts_all ? no_primitive : rules.row(),
+      hits_in_order<M>(scene, structure, ray, filter, counts_all ? no_primitive : rules.row(),
                        [&](std::uint32_t k, const Near& near, bool front) {
                          leaves += front ? -1 : 1;
                          if (writes) write(k, near, (near.hit.t + near.skipped) * scale, front);

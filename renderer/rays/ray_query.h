@@ -261,16 +261,16 @@ MASU_HD inline void write_hit(const RayResults& results, std::size_t i, const Hi
 
 // What a ray of a list hits: for occlusion, some primitive or none.
 template <Query query, class M, class Stored, class Structure, class Counts>
-MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Structure& grid,
+MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Structure& structure,
                                        Ray<typename M::Real> ray, Counts& counts) {
   using Real = typename M::Real;
   const Real scale = scale_direction(ray);
   if constexpr (query == Query::occlusion) {
-    const bool occluded = is_occluded<M>(scene, grid, ray, counts);
+    const bool occluded = is_occluded<M>(scene, structure, ray, counts);
     counts.shadow_ray(occluded);
     return {0, occluded ? 0 : no_primitive};
   }
-  const Hit<Real> hit = nearest_hit<M>(scene, grid, ray, counts);
+  const Hit<Real> hit = nearest_hit<M>(scene, structure, ray, counts);
   counts.camera_ray(hit.primitive != no_primitive);
   if (hit.primitive == no_primitive) return no_hit();
   return {static_cast<float>(hit.t * scale), hit.primitive};

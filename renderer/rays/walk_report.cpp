@@ -278,7 +278,7 @@ void add_skipped(double skipped, WalkRay& ray) {
 }
 
 template <class M, class Stored, class Structure>
-void record(const SceneView<Stored>& scene, const Vec3d& origin, const Structure& grid,
+void record(const SceneView<Stored>& scene, const Vec3d& origin, const Structure& structure,
             const WalkRequest& request, WalkReport& report) {
   using Real = typename M::Real;
   Ray<double> given = request.ray;
@@ -298,14 +298,14 @@ void record(const SceneView<Stored>& scene, const Vec3d& origin, const Structure
     RecordedWalk<Real> walk(report, request, 1);
     HitRecord hit{};
     try {
-      report.radiance = radiance<M>(scene, grid, request.rules, ray, hit, walk);
+      report.radiance = radiance<M>(scene, structure, request.rules, ray, hit, walk);
     } catch (const EndedEarly&) {
       report.ended_early = true;
     }
   } else {
     Ray<Real> scaled = listed.ray;
     RecordedWalk<Real> walk(report, request, scale_direction(scaled));
-    static_cast<void>(trace_listed<Query::nearest_hit, M>(scene, grid, listed.ray, walk));
+    static_cast<void>(trace_listed<Query::nearest_hit, M>(scene, structure, listed.ray, walk));
   }
   WalkRay& first = report.rays.front();
   add_skipped(listed.skipped, first);
@@ -330,13 +330,13 @@ void move_to_world(const Vec3d& origin, WalkReport& report) {
 
 WalkReport trace_walk(const ResidentTracer& tracer, const WalkRequest& request) {
   check_depth(request.rules.depth);
-  const StructureFile* const grid = tracer.structure();
+  const StructureFile* const structure = tracer.structure();
   WalkReport report;
   report.space = tracer.scene().bounds();
-  if (grid != nullptr) report.form = form_of(grid->records());
-  if (grid != nullptr && !grid->is_hierarchy()) {
-    report.space = grid->layout().space;
-    report.division = finest_layout(*grid).division;
+  if (structure != nullptr) report.form = form_of(structure->records());
+  if (structure != nullptr && !structure->is_hierarchy()) {
+    report.space = structure->layout().space;
+    report.division = finest_layout(*structure).division;
   }
   TracingRules rules = request.tracing;
   rules.count = true; // the code for all kinds
@@ -344,14 +344,14 @@ WalkReport trace_walk(const ResidentTracer& tracer, const WalkRequest& request) 
       tracer.scene(), rules.precision,
       [&]<class TestRay, class Stored>(const SceneView<Stored>& scene, Arithmetic<TestRay>) {
         with_method<TestRay, Stored>(
-            records_of(grid), rules, [&]<class M, class C>(const auto& accelerator, M, C) {
+            records_of(structure), rules, [&]<class M, class C>(const auto& accelerator, M, C) {
               if constexpr (std::is_same_v<C, Counts>)
                 record<M>(scene, tracer.scene().origin(), accelerator, request, report);
             });
       });
   move_to_world(tracer.scene().origin(), report);
   tracer.scene().check_unchanged();
-  if (grid != nullptr) grid->check_unchanged();
+  if (structure != nullptr) structure->check_unchanged();
   return report;
 }
 

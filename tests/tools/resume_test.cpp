@@ -249,6 +249,13 @@ TEST_F(SharedRuns, FilesThatAreThereStayAndMissingOnesAreMade) {
   EXPECT_EQ(run("gridrender", joined(arguments, {"-q"})).err, "");
   EXPECT_EQ(states_of(resumed), states);
   EXPECT_EQ(state_of("b.json"), json);
+  // One that isn't there is written.
+  EXPECT_TRUE(
+      succeeded(run("gridrender", joined(resumed.arguments, {"--resume", "--stats", file("new.json")}))));
+  EXPECT_EQ(states_of(resumed), states);
+  report = json_in("new.json");
+  EXPECT_EQ(report["kept"], 48);
+  EXPECT_EQ(report["views"], 0);
 }
 
 TEST_F(SharedRuns, EveryKindOfFileIsKept) {

@@ -22,7 +22,7 @@ struct Settings {
   std::vector<std::string> scenes;
   std::string folder;
   Backend backend = Backend::automatic;
-  std::vector<std::string> precisions{"fast", "robust", "double"}, stops{"proven", "first-cell-hit"},
+  std::vector<std::string> precisions{"robust", "double"}, stops{"proven", "first-cell-hit"},
       merges{"none", "x", "balance", "irregular", "bvh"}, overlaps{"box", "exact"},
       divisions{"16", "64", "auto"}, curve{"1", "2", "4", "8", "16", "32", "64", "128", "256", "auto"};
   // Empty and 0: defaults of the backend, which take it a few minutes.
@@ -306,8 +306,7 @@ void add_options(const CommandLine& command, Settings& settings) {
         command.add_option(option, list, help).type_name("LIST").comma_separated().shows_default();
     if (!among.empty()) added.among(among);
   };
-  add_list("--precisions", settings.precisions, "precisions (see gridrender --help)",
-           {"fast", "robust", "double"});
+  add_list("--precisions", settings.precisions, "precisions (see gridrender --help)", {"robust", "double"});
   add_list("--stop-rules", settings.stops,
            "when a ray terminates: proven (no closer hit is possible), first-cell-hit (at the first cell in "
            "which anything is hit)",

@@ -1,9 +1,9 @@
 #include "tools/jobs/tracing_tool.h"
+
 #include "libscene/file/input_file.h"
 #include "libscene/file/output_file.h"
 #include "tools/common/cli.h"
 #include "tools/common/print.h"
-
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/version.h"
@@ -90,7 +90,7 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
   if (report.kept > 0 && !quiet)
     print_note("{}: --resume: {} of {} files are there and are kept\n", tool, grouped(report.kept),
                grouped(report.files));
-  if (is_kept_whole && (!options.report().empty() || is_kept(options.report(), {}))) return;
+  if (is_kept_whole && is_kept(options.report(), {})) return;
   const std::string device =
       devices_name(opened.gpus()) + (ranks.count() > 1 ? fmt::format(", {} ranks", ranks.count()) : "");
   Json json = provenance();

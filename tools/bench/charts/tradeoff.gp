@@ -59,8 +59,6 @@ speed(panel) = is_hits(panel) ? column('mrays') : 1e3 / column('picture_ms')
 error(panel) = is_hits(panel) \
   ? (column('missed') + column('false_hits') + column('wrong_primitives')) / column('rays_compared') \
   : column('picture_rmse')
-# `fast` has no kernels of its own: those for all structures and kinds of primitives trace it.
-precision_title(i) = word(precisions, i) eq 'fast' ? 'fast (general kernel)' : word(precisions, i)
 is_in_front(panel) = column(panel . '_front') == 1
 is_of(scene) = strcol('scene') eq scene
 # Rows far slower than the fastest would leave no room for the others.
@@ -137,7 +135,7 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
     plot for [method in methods] data \
         using (is_shown(scene, panel) && method_of(0) eq method ? speed(panel) : NaN):(drawn_error(panel)) \
         with points pt point_of(method) ps 1.3 lw 1.6 lc rgb color_of(method) notitle, \
-      for [i = 1:3] NaN with points pt 7 ps 1.3 lc rgb word(precision_colors, i) title precision_title(i), \
+      for [precision in 'robust double'] NaN with points pt 7 ps 1.3 lc rgb precision_color(precision) title precision, \
       for [i = 1:5] NaN with points pt int(word(filled, i)) ps 1.3 lc rgb '#666666' title word(structure_titles, i), \
       NaN with points pt 6 ps 1.3 lw 1.6 lc rgb '#666666' title 'open: first cell hit', \
       NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
@@ -159,7 +157,7 @@ curves = '' # SCENE/PRECISION
 stats data using (is_curve(0) && !is_automatic(0) && !is_of('all') \
   ? (curves = curves . ' ' . strcol('scene') . '/' . strcol('precision'), 1) : 1) nooutput
 has_curve(scene, precision) = index_of(scene . '/' . precision, curves) > 0
-precision_of(scene) = has_curve(scene, 'robust') ? 'robust' : has_curve(scene, 'double') ? 'double' : 'fast'
+precision_of(scene) = has_curve(scene, 'robust') ? 'robust' : 'double'
 is_line(scene, automatic) = is_of(scene) && is_curve(0) && strcol('precision') eq precision_of(scene) \
   && is_automatic(0) == automatic
 voxels_an_axis(_) = column('voxels') ** (1 / 3.0)

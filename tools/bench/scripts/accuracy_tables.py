@@ -195,17 +195,16 @@ def tables(results):
     def cost():
         rows = {(row["scene"], row["merge"], row["precision"]): row for row in structure_rows("tradeoff.csv")
                 if row["stop_rule"] == "proven"}
-        def line(merge, text, over, under, column, is_rate):
+        def line(merge, text, column, is_rate):
             def ratio(s):
-                a, b = (float(rows[s, merge, precision][column]) for precision in (over, under))
-                return b / a if is_rate else a / b
-            return [f"{structures[merge, 'exact']}: `{over}` / `{under}`, {text}",
+                double, robust = (float(rows[s, merge, precision][column]) for precision in ("double", "robust"))
+                return robust / double if is_rate else double / robust
+            return [f"{structures[merge, 'exact']}: `double` / `robust`, {text}",
                     *(figure(lambda: ratio(s), "{:.2f}") for s in STANDARD)]
         kinds = (("primary rays", "primary_mrays", True), ("random rays", "random_mrays", True),
                  ("pictures", "picture_ms", False))
-        return table(["", *STANDARD], [line(merge, text, over, under, column, is_rate) for merge, _ in structures
-                                       for over, under in (("robust", "fast"), ("double", "robust"))
-                                       for text, column, is_rate in kinds])
+        return table(["", *STANDARD],
+                     [line(merge, *kind) for merge, _ in structures for kind in kinds])
 
     def gpu():
         rows = [row for row in output("stability", "cuda") if "backends" in row]
