@@ -14,8 +14,6 @@
 
 namespace masu {
 
-inline constexpr int lanes_per_warp = 32;
-
 // A block of threads traces a tile of 8 x 8 rays, a warp a half of it: neighbours visit the same cells.
 inline constexpr int tile_side = 8;
 inline constexpr int warp_rows = lanes_per_warp / tile_side;

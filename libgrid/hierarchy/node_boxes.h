@@ -71,7 +71,7 @@ public:
 
 private:
   static constexpr double units = 240, units_before = 4;
-  // Larger by this many units than what they hold: hierarchy_walk.h says why.
+  // Larger by this many units than what they hold: walk/boxes.h says why.
   static constexpr double slack = 1.0 / 64;
 
   double unit_[3];

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/grid/grid_walk.h"
-#include "libgrid/hierarchy/hierarchy_walk.h"
+#include "libgrid/hierarchy/walk/walk.h"
 #include "libscene/geometry/clip.h"
 #include "libscene/geometry/intersect.h"
 

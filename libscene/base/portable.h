@@ -26,3 +26,7 @@
 #if !defined(__CUDACC__) && defined(__AVX2__) && defined(__FMA__)
 #define MASU_HOST_AVX2
 #endif
+
+namespace masu {
+inline constexpr int lanes_per_warp = 32; // of every CUDA GPU
+}

@@ -3,7 +3,7 @@
 // radiance() has it see, to the bit. Host only, with AVX2 and FMA.
 #pragma once
 
-#include "renderer/cpu/packet.h"
+#include "renderer/cpu/packet_lists.h"
 #include "renderer/render_pixel.h"
 
 #include <vector>

@@ -4,7 +4,7 @@
 // FMA.
 #pragma once
 
-#include "libgrid/hierarchy/eight_walks_avx2.h"
+#include "libgrid/hierarchy/walk/in_step_avx2.h"
 #include "renderer/rays/ray_query.h"
 
 #include <algorithm>

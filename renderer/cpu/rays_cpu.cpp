@@ -1,7 +1,7 @@
 #include "renderer/cpu/on_cpu.h"
 #include "renderer/rays/list_progress.h"
 #ifdef MASU_HOST_AVX2
-#include "renderer/cpu/packet.h"
+#include "renderer/cpu/packet_lists.h"
 #endif
 
 #include <tbb/blocked_range.h>

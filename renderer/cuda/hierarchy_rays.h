@@ -1,12 +1,13 @@
 // Rays through a bounding volume hierarchy (CUDA sources only): a thread each, whose warp may fetch the
 // list's next rays for its idle lanes; after Aila & Laine, "Understanding the Efficiency of Ray Traversal on
 // GPUs", HPG 2009, and, for when to fetch, Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on
-// GPUs Through Compressed Wide BVHs", HPG 2017. A warp's first rays begin as a packet (packet.h), and its
-// last ones are traced by groups of its lanes (grouped_walk.h).
+// GPUs Through Compressed Wide BVHs", HPG 2017. A warp's first rays begin as a packet (packet_begin.h), and
+// its last ones are traced by groups of its lanes (lane_groups.h).
 #pragma once
 
-#include "renderer/cuda/grouped_walk.h"
-#include "renderer/cuda/packet.h"
+#include "libgrid/hierarchy/walk/lane_groups.h"
+#include "libgrid/hierarchy/walk/packet_begin.h"
+#include "libgrid/hierarchy/walk/walks_in_use.h"
 #include "renderer/cuda/straggler_queue.h"
 
 namespace masu {
@@ -22,7 +23,8 @@ inline constexpr unsigned rays_in_advance = 96, plenty_for_a_warp = 256;
 
 // Of a warp that has no more rays to fetch, so many are traced by groups of 2 and of 4 lanes. By 8 lanes a
 // step takes no fewer instructions than by 4.
-inline constexpr int max_rays_by_pairs = lanes_per_warp / 2, max_rays_by_fours = lanes_per_warp / 4;
+inline constexpr int max_rays_by_pairs = walks_in_use::lane_groups ? lanes_per_warp / 2 : 0,
+                     max_rays_by_fours = max_rays_by_pairs / 2;
 
 // Goes on with a ray by `advance`, which is given the visitor of its query; false at its end.
 template <Query query, class M, class Stored, class Advance>
@@ -102,6 +104,7 @@ __device__ inline void trace_last_rays(const SceneView<Stored>& scene, const Hie
                                        bool has_ray, WalkingRay<typename M::TestRay>& own,
                                        HierarchyStack& stack, const RayEnds<typename M::Real>* ends,
                                        std::uint32_t* sources, const RayResults& results) {
+  if constexpr (!walks_in_use::lane_groups) return;
   std::uint32_t* const warp_sources = sources + threadIdx.x / lanes_per_warp * lanes_per_warp;
   const unsigned left = trace_by_groups<1, max_rays_by_fours, query, M>(
       scene, hierarchy, __ballot_sync(all_lanes, has_ray), own, stack, ends, warp_sources, results);
@@ -132,6 +135,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   if (!__any_sync(all_lanes, has_ray)) return;
   if (has_ray) begin_ray(near, own);
   bool under_way = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
+    if constexpr (!walks_in_use::packet_begin) return has_ray;
     return begin_packet<max_packet_leaves<M>>(hierarchy, own.walk, stack, visitor, has_ray,
                                               packets[threadIdx.x / lanes_per_warp]);
   });

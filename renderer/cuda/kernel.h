@@ -12,13 +12,6 @@
 
 namespace masu {
 
-inline constexpr unsigned all_lanes = 0xffffffffU;
-
-// How many of a warp's `lanes`, a bit each, come before `lane`.
-__device__ inline unsigned rank_among(unsigned lanes, unsigned lane) {
-  return static_cast<unsigned>(__popc(lanes & ((1U << lane) - 1)));
-}
-
 // A warp may read so many references beyond a list's end, to no effect: their array is longer by them.
 inline constexpr std::size_t references_read_ahead = lanes_per_warp - 1;
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libgrid/grid/grid_walk.h"
+#include "libscene/cuda/warp.h"
 #include "renderer/cuda/kernel.h"
 
 namespace masu {
@@ -12,14 +13,6 @@ inline constexpr int rays_per_block = 128;
 // Of so many lanes that have something to be shared out, each gets 2^n lanes for it.
 __device__ inline int lanes_log2_for_each(int having) {
   return having > lanes_per_warp / 2 ? 0 : __clz(having - 1) - 27;
-}
-
-// A hit in the order of is_nearer: t is not negative, so its bits rise with it.
-__device__ inline std::uint64_t hit_key(const Hit<float>& hit) {
-  return std::uint64_t{__float_as_uint(hit.t)} << 32 | hit.primitive;
-}
-__device__ inline Hit<float> hit_of(std::uint64_t key) {
-  return {__uint_as_float(static_cast<std::uint32_t>(key >> 32)), static_cast<PrimitiveIndex>(key)};
 }
 
 // What is needed of a ray when it is begun and ended.
@@ -95,19 +88,6 @@ struct LaneWalk {
   }
   __device__ bool is_worth_while(Real length) const { return length * walk.speed() > 1; }
 };
-
-template <class T>
-__device__ inline T from_lane(const T& value, int lane) {
-  struct Words {
-    std::uint32_t words[sizeof(T) / 4];
-  };
-  static_assert(sizeof(Words) == sizeof(T));
-  Words moved = __builtin_bit_cast(Words, value);
-#pragma unroll
-  for (std::uint32_t& word : moved.words)
-    word = __shfl_sync(all_lanes, word, lane);
-  return __builtin_bit_cast(T, moved);
-}
 
 // Cuts what the walks under way have still to go, of which there are at most half as many as lanes, into as
 // many segments of equal length as there are lanes for each; but into none shorter than a voxel.

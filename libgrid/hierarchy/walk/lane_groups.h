@@ -5,8 +5,8 @@
 // times, and once 16 of them are left, half of its lanes would idle until the longest is done.
 #pragma once
 
-#include "libgrid/hierarchy/hierarchy_walk.h"
-#include "renderer/cuda/warp_rays.h"
+#include "libgrid/hierarchy/walk/hierarchy_walk.h"
+#include "libscene/cuda/warp.h"
 
 namespace masu {
 

@@ -6,23 +6,16 @@
 // all eight at once, by a network (Batcher's, of eight); the triangles that they meet are tested eight at a
 // time, whichever ray's they are.
 //
-// As by the walk of one ray (hierarchy_walk_avx2.h) the hits are those of HierarchyWalk, to the bit; what is
-// visited on the way isn't the same. Host only.
+// Host only.
 #pragma once
 
+#include "libgrid/hierarchy/walk/boxes_avx2.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/geometry/triangle_lanes.h"
 
 #include <cstring>
 
 namespace masu {
-
-MASU_ALWAYS_INLINE __m256i load_eight(const void* from) {
-  return _mm256_loadu_si256(static_cast<const __m256i*>(from));
-}
-MASU_ALWAYS_INLINE void store_eight(void* to, __m256i eight) {
-  _mm256_storeu_si256(static_cast<__m256i*>(to), eight);
-}
 
 // Rows become columns.
 MASU_ALWAYS_INLINE void transpose(__m256i (&rows)[8]) {

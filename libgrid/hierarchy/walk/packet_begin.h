@@ -7,11 +7,11 @@
 // A warp visits a node of one ray, or of 32, by some 500 instructions; four nodes for its packet by some 130.
 //
 // A plane's distance is off by less than 8 u M along its axis: less than in a ray's own visits
-// (libgrid/hierarchy/hierarchy_walk.h). So no box is passed over of what a ray hits.
+// (boxes.h). So no box is passed over of what a ray hits.
 #pragma once
 
-#include "libgrid/hierarchy/hierarchy_walk.h"
-#include "renderer/cuda/warp_rays.h"
+#include "libgrid/hierarchy/walk/hierarchy_walk.h"
+#include "libscene/cuda/warp.h"
 
 #include <limits>
 
