@@ -22,7 +22,7 @@ BuildOptions build_options(const masu_build_options& from) {
                                       StructureKind::balance, StructureKind::irregular};
   const auto quality = choice<HierarchyQuality>(from.quality, 2, "quality");
   options.division = parse_division(from.division != nullptr ? from.division : "auto");
-  const StructureKind kind = kind_of(choice<StructureChoice>(from.structure, 3, "structure"),
+  const StructureKind kind = kind_of(choice<StructureChoice>(from.structure, 4, "structure"),
                                      merges[choice<int>(from.merge, 5, "merge")], options.division, quality);
   options.structure = {kind,        from.target, from.alpha,     from.step_cost,
                        from.detail, from.nested, from.expansions};
@@ -37,7 +37,7 @@ masu_build_options default_options() {
   const StructureOptions defaults;
   masu_build_options options{};
   options.size = sizeof options;
-  options.structure = MASU_STRUCTURE_FASTEST;
+  options.structure = MASU_STRUCTURE_AUTO;
   options.division = "auto";
   options.target = defaults.target;
   options.alpha = defaults.alpha;
@@ -96,17 +96,24 @@ void require_hierarchy(const StructureFile* grid) {
     fail("grid", "isn't a hierarchy, which alone can be refitted: build one with MASU_STRUCTURE_BVH");
 }
 
-StructureFile fastest_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress) {
+StructureFile fast_hierarchy(const SceneFile& scene, int device,
+                             const std::function<void(double)>& progress) {
   masu_build_options options = default_options();
-  options.for_cpu = device == MASU_CPU ? 1 : 0;
+  options.quality = MASU_QUALITY_FAST;
   return built_grid(scene, build_options(options), device, progress);
 }
 
-StructureFile fast_hierarchy(const SceneFile& scene, const std::function<void(double)>& progress) {
+StructureFile soonest(const SceneFile& scene, int device, const std::function<void(double)>& progress) {
+  const bool fits =
+      scene.primitive_count() <= max_hierarchy_primitives &&
+      scene.with_view([&]<class Stored>(const SceneView<Stored>&) {
+        return fits_hierarchy(layout_in<Stored>(scene.bounds(), {1, 1, 1}, SpaceRule::tight).space);
+      });
+  if (fits) return fast_hierarchy(scene, device, progress);
   masu_build_options options = default_options();
-  options.structure = MASU_STRUCTURE_BVH;
-  options.quality = MASU_QUALITY_FAST;
-  return built_grid(scene, build_options(options), MASU_CPU, progress);
+  options.structure = MASU_STRUCTURE_GRID;
+  options.for_cpu = device == MASU_CPU ? 1 : 0;
+  return built_grid(scene, build_options(options), device, progress);
 }
 
 } // namespace masu

@@ -233,7 +233,7 @@ std::shared_ptr<const StructureFile> hierarchy_of(const State& tracer,
     const std::lock_guard lock(tracer.mutex);
     if (tracer.hierarchy) return tracer.hierarchy;
   }
-  auto built = std::make_shared<const StructureFile>(fast_hierarchy(*tracer.scene, progress));
+  auto built = std::make_shared<const StructureFile>(fast_hierarchy(*tracer.scene, MASU_CPU, progress));
   const std::lock_guard lock(tracer.mutex);
   if (!tracer.hierarchy) tracer.hierarchy = std::move(built);
   return tracer.hierarchy;
@@ -276,9 +276,18 @@ masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
       file = grid->file;
     else if (wanted.brute_force == 0)
       file = std::make_shared<const StructureFile>(
-          fastest_grid(*scene->file, gpus.empty() ? MASU_CPU : gpus.front(), go_on.progress()));
+          soonest(*scene->file, gpus.empty() ? MASU_CPU : gpus.front(), go_on.progress()));
     return std::make_unique<masu_tracer>(scene->vertices,
                                          std::make_shared<const State>(scene->file, std::move(file), gpus));
+  });
+}
+
+masu_status masu_tracer_grid(const masu_tracer* tracer, masu_grid** grid) {
+  return make(grid, "grid", [&] {
+    require(tracer, "tracer");
+    const std::shared_ptr<const StructureFile> file = tracer->state()->grid;
+    if (file == nullptr) fail("tracer", "has no grid");
+    return std::make_unique<masu_grid>(masu_grid{file});
   });
 }
 

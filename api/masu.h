@@ -176,9 +176,10 @@ typedef struct masu_grid masu_grid;
 typedef enum masu_structure {
   MASU_STRUCTURE_GRID = 0,
   MASU_STRUCTURE_BVH = 1, /* a bounding volume hierarchy: no voxels */
-  /* The default: whichever of both a sample of rays is expected to take the least time through. If a merge
-   * rule or a division is given, that grid. */
-  MASU_STRUCTURE_FASTEST = 2
+  /* Whichever of both a sample of rays is expected to take the least time through, on what for_cpu says. If
+   * a merge rule or a division is given, that grid. */
+  MASU_STRUCTURE_FASTEST = 2,
+  MASU_STRUCTURE_AUTO = 3 /* the default: a hierarchy; if a merge rule or a division is given, that grid */
 } masu_structure;
 
 typedef enum masu_merge {
@@ -264,8 +265,8 @@ typedef struct masu_tracer_options {
   void* user;       /* for go_on */
 } masu_tracer_options;
 
-/* `grid` must be of the scene's geometry. Where it is NULL, one is built with MASU_STRUCTURE_FASTEST for and
- * on the first device: that takes seconds for some million primitives. */
+/* `grid` must be of the scene's geometry. Where it is NULL, what answers soonest is built on the first
+ * device: a hierarchy of MASU_QUALITY_FAST, or a grid where the scene is too large for one. */
 MASU_API masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
                                         const masu_tracer_options* options, masu_tracer** tracer);
 
@@ -293,6 +294,10 @@ typedef struct masu_vertices {
  * After an error the tracer is as it was: MASU_ERROR_USAGE for a tracer without a hierarchy, another number
  * of vertices, coordinates that aren't finite or that the scene's store doesn't hold. */
 MASU_API masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertices);
+
+/* What a tracer traces through, given or built. An error for brute force; of a tracer that was moved on a
+ * GPU, what it was before. */
+MASU_API masu_status masu_tracer_grid(const masu_tracer* tracer, masu_grid** grid);
 
 /* Waits for what runs, and gives memory back. NULL is allowed. */
 MASU_API void masu_tracer_free(masu_tracer* tracer);

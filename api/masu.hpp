@@ -169,6 +169,7 @@ public:
   masu_grid* get() const { return handle_.get(); }
 
 private:
+  friend class Tracer;
   explicit Grid(masu_grid* grid) : handle_(grid) {}
 
   Handle<masu_grid, masu_grid_free> handle_;
@@ -245,6 +246,11 @@ public:
     handle_.reset(made<masu_tracer>([&](masu_tracer** tracer) {
       return masu_tracer_create(scene.get(), grid != nullptr ? grid->get() : nullptr, &options, tracer);
     }));
+  }
+
+  // What it traces through (masu_tracer_grid).
+  Grid grid() const {
+    return Grid(made<masu_grid>([&](masu_grid** grid) { return masu_tracer_grid(handle_.get(), grid); }));
   }
 
   // In host memory, or all in memory of one of the tracer's GPUs.

@@ -103,7 +103,7 @@ GridLayout scaled(GridLayout layout, double factor) {
   return layout;
 }
 
-// At least one; more than one where the choice is automatic.
+// Grids: at least one, more than one where the choice is automatic.
 template <class Stored>
 std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd& bounds,
                                       const BuildOptions& options) {
@@ -136,22 +136,11 @@ std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd
     add(StructureKind::irregular, usual);
     if (automatic_division) add(StructureKind::irregular, scaled(usual, 0.25));
   };
-  const auto add_hierarchy = [&] { // whose space isn't divided
-    DivisionRule rule;
-    rule.kind = DivisionRule::Kind::fixed;
-    add(StructureKind::hierarchy, layout_by(rule));
-  };
-  if (kind == StructureKind::hierarchy) {
-    add_hierarchy();
-  } else if (kind == StructureKind::irregular) {
+  if (kind == StructureKind::irregular) {
     add_irregular();
   } else if (kind == StructureKind::fastest || (kind == StructureKind::automatic && automatic_division)) {
     add_uniform({1});
     add_irregular();
-    // By the geometry alone, not by the memory that is free: the same scene gives the same bytes.
-    if (kind == StructureKind::fastest && fits_hierarchy(candidates.front().layout.space) &&
-        scene.primitive_count() <= max_hierarchy_primitives)
-      add_hierarchy();
   } else if (kind == StructureKind::uniform && automatic_division) {
     add_uniform({1, 0.625, 1.6});
   } else {
@@ -183,71 +172,113 @@ Structure usual_one(Candidate candidate, StructureBuilder<Stored>& builder, cons
 
 // The first structure is traced as long as a hierarchy takes to build, or some grid; the others by as many
 // rays, and no longer than could pay.
-SampleLimits limits_for(const Candidate& first) {
-  const auto primitives = static_cast<double>(first.primitives);
-  const double work =
-      first.options.kind == StructureKind::hierarchy ? 0x1p19 + 16 * primitives : 0x1p20 + 64 * primitives;
+SampleLimits limits_for(StructureKind first, std::uint64_t primitives) {
+  const auto n = static_cast<double>(primitives);
+  const double work = first == StructureKind::hierarchy ? 0x1p19 + 16 * n : 0x1p20 + 64 * n;
   return {SampleLimits{}.rays, static_cast<std::uint64_t>(work)};
 }
 SampleLimits limits_after(const SampledCosts& first) {
   return {first.rays, (std::uint64_t{1} << 21) + 4 * first.work};
 }
 
+struct Built {
+  Structure structure;
+  SampledCosts costs;
+};
+
+Considered considered_of(const Built& built, const BuildOptions& options) {
+  const StructureKind kind = built.structure.kind;
+  return {kind, built.structure.layout.division, built.costs,
+          expected_time(built.costs, kind, options.processor)};
+}
+
+template <class Stored>
+Structure hierarchy_of(StructureBuilder<Stored>& builder, const Boxd& bounds, const BuildOptions& options) {
+  StructureOptions wanted = options.structure;
+  wanted.kind = StructureKind::hierarchy;
+  return builder.build(layout_in<Stored>(bounds, {1, 1, 1}, options.space), options.overlap, wanted);
+}
+
+// The grid through which rays are expected to take the least time, or the hierarchy, where there is one.
 template <class Stored>
 Structure fastest_of(const std::vector<Candidate>& candidates, StructureBuilder<Stored>& builder,
-                     const BuildOptions& options, std::vector<Considered>& considered) {
-  if (candidates.size() == 1 || builder.scene().primitive_count() == 0)
+                     const BuildOptions& options, std::optional<Built> hierarchy,
+                     std::vector<Considered>& considered) {
+  if (!hierarchy && (candidates.size() == 1 || builder.scene().primitive_count() == 0))
     return usual_one(candidates.front(), builder, options);
-  struct Built {
-    Structure grid;
-    SampledCosts costs;
-  };
   std::optional<SampleLimits> limits;
-  std::size_t tried = 0;
+  if (hierarchy) limits = limits_after(hierarchy->costs);
+  std::size_t tried = hierarchy ? 1 : 0;
+  const std::size_t all = tried + candidates.size();
   // None where a limit is exceeded.
   const auto built = [&](const Candidate& candidate) -> std::optional<Built> {
-    builder.progress().begin_part(tried++, candidates.size());
+    builder.progress().begin_part(tried++, all);
     Built one{builder.try_build(candidate.layout, options.overlap, candidate.options), {}};
-    if (one.grid.exceeded != nullptr) return std::nullopt;
-    one.costs = sampled_costs(builder.scene(), one.grid, limits ? *limits : limits_for(candidate),
+    if (one.structure.exceeded != nullptr) return std::nullopt;
+    one.costs = sampled_costs(builder.scene(), one.structure,
+                              limits ? *limits : limits_for(candidate.options.kind, candidate.primitives),
                               &builder.progress());
     if (limits && one.costs.rays < limits->rays) return std::nullopt;
     if (!limits) limits = limits_after(one.costs);
     return one;
   };
-  // A hierarchy is the last candidate, but built first: the others are measured by it.
-  std::optional<Built> hierarchy;
-  if (candidates.back().options.kind == StructureKind::hierarchy) hierarchy = built(candidates.back());
   // What comes first is the usual one. Pictures take up to 7 % longer through a coarser top division that
   // lists take as long through: their threads share no tests.
   constexpr double clearly = 0.95;
   Structure fastest;
   double least = std::numeric_limits<double>::infinity();
-  for (const Candidate& candidate : candidates) {
-    const StructureKind kind = candidate.options.kind;
-    std::optional<Built> one = kind == StructureKind::hierarchy ? std::move(hierarchy) : built(candidate);
-    if (!one) continue;
-    const double time = expected_time(one->costs, kind, options.processor);
-    considered.push_back({kind, candidate.layout.division, one->costs, time});
-    if (!(time < clearly * least)) continue;
+  const auto consider = [&](Built one) {
+    considered.push_back(considered_of(one, options));
+    const double time = considered.back().expected_time;
+    if (!(time < clearly * least)) return;
     least = time;
-    fastest = std::move(one->grid);
-  }
+    fastest = std::move(one.structure);
+  };
+  for (const Candidate& candidate : candidates)
+    if (std::optional<Built> one = built(candidate)) consider(*std::move(one));
+  if (hierarchy) consider(*std::move(hierarchy));
   return considered.empty() ? usual_one(candidates.front(), builder, options) : std::move(fastest);
+}
+
+// A hierarchy first: grids are built only where one may be faster.
+template <class Stored>
+Structure chosen(StructureBuilder<Stored>& builder, const Boxd& bounds, const BuildOptions& options,
+                 std::vector<Considered>& considered) {
+  const SceneView<Stored>& scene = builder.scene();
+  const StructureKind kind = options.structure.kind;
+  if (kind == StructureKind::hierarchy) return hierarchy_of(builder, bounds, options);
+  std::optional<Built> hierarchy;
+  // By the geometry alone, not by the memory that is free: the same scene gives the same bytes.
+  if (kind == StructureKind::fastest && scene.primitive_count() > 0 &&
+      scene.primitive_count() <= max_hierarchy_primitives &&
+      fits_hierarchy(layout_in<Stored>(bounds, {1, 1, 1}, options.space).space)) {
+    hierarchy = Built{hierarchy_of(builder, bounds, options), {}};
+    const SampleLimits limits = limits_for(StructureKind::hierarchy, scene.primitive_count());
+    const auto sample = [&](std::size_t rays) {
+      return sampled_costs(scene, hierarchy->structure, {rays, limits.work}, &builder.progress());
+    };
+    hierarchy->costs = sample(rays_that_tell);
+    if (!grid_may_win(hierarchy->costs)) {
+      considered.push_back(considered_of(*hierarchy, options));
+      return std::move(hierarchy->structure);
+    }
+    hierarchy->costs = sample(limits.rays);
+  }
+  return fastest_of(candidates_for(scene, bounds, options), builder, options, std::move(hierarchy),
+                    considered);
 }
 
 } // namespace
 
 StructureKind kind_of(StructureChoice structure, StructureKind merge, const DivisionRule& division,
                       HierarchyQuality quality) {
-  const bool is_merge_given = merge != StructureKind::automatic;
-  if (structure == StructureChoice::hierarchy) {
-    if (is_merge_given) throw Error(ErrorCode::usage, "merge", "is of grids alone");
+  const bool is_merge_given = merge != StructureKind::automatic,
+             is_grid_given = is_merge_given || division.kind != DivisionRule::Kind::automatic;
+  if (structure == StructureChoice::hierarchy && is_merge_given)
+    throw Error(ErrorCode::usage, "merge", "is of grids alone");
+  if (structure == StructureChoice::hierarchy || (structure == StructureChoice::automatic && !is_grid_given))
     return StructureKind::hierarchy;
-  }
-  if (structure == StructureChoice::fastest && !is_merge_given &&
-      division.kind == DivisionRule::Kind::automatic)
-    return StructureKind::fastest;
+  if (structure == StructureChoice::fastest && !is_grid_given) return StructureKind::fastest;
   if (quality != HierarchyQuality::high) throw Error(ErrorCode::usage, "quality", "is of hierarchies alone");
   return merge;
 }
@@ -255,9 +286,8 @@ StructureKind kind_of(StructureChoice structure, StructureKind merge, const Divi
 template <class Stored>
 DescribedStructure build_chosen(StructureBuilder<Stored>& builder, const SceneGeometry& geometry,
                                 const BuildOptions& options) {
-  const std::vector<Candidate> candidates = candidates_for(builder.scene(), geometry.bounds, options);
   DescribedStructure result;
-  result.grid = fastest_of(candidates, builder, options, result.considered);
+  result.grid = chosen(builder, geometry.bounds, options, result.considered);
   result.provenance = {geometry.hash,
                        builder.scene().primitive_count(),
                        geometry.origin,

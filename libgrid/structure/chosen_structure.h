@@ -8,12 +8,12 @@
 
 namespace masu {
 
-// What is wanted: a grid, a hierarchy, or whichever of both a sample of rays is expected to take the least
-// time through. The masu_structure of masu.h.
-enum class StructureChoice { grid, hierarchy, fastest };
+// What is wanted: a grid, a hierarchy, whichever of both a sample of rays is expected to take the least time
+// through, or, automatic, a hierarchy. The masu_structure of masu.h.
+enum class StructureChoice { grid, hierarchy, fastest, automatic };
 
-// The kind that is built. `merge` is of a grid, automatic where none was given. fastest is a grid if a
-// merge rule or a division was given. Throws Error(usage) for options that contradict each other.
+// The kind that is built. `merge` is of a grid, automatic where none was given. fastest and automatic are a
+// grid if a merge rule or a division was given. Throws Error(usage) for options that contradict each other.
 StructureKind kind_of(StructureChoice structure, StructureKind merge, const DivisionRule& division,
                       HierarchyQuality quality);
 
@@ -37,13 +37,13 @@ struct DescribedStructure {
 //   uniform    the division of the cost model (division.h), a coarser and a finer one
 //   irregular  the usual top division (division.h), and one with a quarter of the voxels along each axis
 //   automatic  the model's uniform one and those of irregular
-//   fastest    those of automatic, and a hierarchy
-// In this order one takes the place of those before it if rays are expected to take 5 % less time through it
-// on options.processor (sampled_costs.h). Left out is what the geometry doesn't allow: a grid that would take
-// much more than eight times a hierarchy's time or memory to build or to sample, in counts of references,
-// fragments, words, steps and tests; a hierarchy of too many primitives, or too far away. Where no grid is
-// left of those asked for, a coarser one is built. The choice depends on the geometry and the options alone.
-// Kind automatic with a given division is uniform.
+//   fastest    a hierarchy, and those of automatic where some rays through it say that a grid may be faster
+// In this order, but for a hierarchy, which is the last, one takes the place of those before it if rays are
+// expected to take 5 % less time through it on options.processor (sampled_costs.h). Left out is what the
+// geometry doesn't allow: a grid that would take much more than eight times a hierarchy's time or memory to
+// build or to sample, in counts of references, fragments, words, steps and tests; a hierarchy of too many
+// primitives, or too far away. Where no grid is left of those asked for, a coarser one is built. The choice
+// depends on the geometry and the options alone. Kind automatic with a given division is uniform.
 //
 // The builder's progress gets shares of all of that. Throws Error(usage, "division", …) for a given division
 // that is too fine, or where there is less memory than is needed, and as the builder does.

@@ -31,6 +31,11 @@ template <class Stored>
 SampledCosts sampled_costs(const SceneView<Stored>& scene, const Structure& grid,
                            const SampleLimits& limits = {}, const ProgressMonitor* progress = nullptr);
 
+// Whether rays may be faster through a grid than through a hierarchy of these costs, of which so many rays
+// tell: where long primitives overlap, a ray that hits something tests many.
+inline constexpr std::size_t rays_that_tell = 256;
+bool grid_may_win(const SampledCosts& hierarchy);
+
 // About how long rays take through a structure of the kind: the geometric mean of the sets, in steps to a
 // cell of an irregular grid on that processor.
 double expected_time(const SampledCosts& costs, StructureKind kind, Processor processor);

@@ -456,6 +456,34 @@ TEST_F(Library, ArraysOfEveryKindMakeTheSameScene) {
   EXPECT_EQ(found.t[1], 3.25F);
 }
 
+// Without a grid what answers soonest is built: a fast hierarchy, or a grid where no hierarchy holds the
+// scene. A build without options doesn't know what will trace, and is a hierarchy of high quality.
+TEST_F(Library, WithoutAGridWhatAnswersSoonestIsBuilt) {
+  prepare(random_mesh(engine_, 500));
+  const masu::Grid none = masu::Tracer(*scene_).grid(),
+                   fast = built(*scene_, MASU_STRUCTURE_BVH, MASU_QUALITY_FAST);
+  none.write(file("none.grid"));
+  fast.write(file("fast.grid"));
+  EXPECT_TRUE(masu::read_bytes(file("none.grid")) == masu::read_bytes(file("fast.grid")));
+  masu::Grid(*scene_).write(file("usual.grid"));
+  built(*scene_, MASU_STRUCTURE_BVH).write(file("high.grid"));
+  EXPECT_TRUE(masu::read_bytes(file("usual.grid")) == masu::read_bytes(file("high.grid")));
+  auto options = masu::default_build_options();
+  options.division = "4";
+  EXPECT_EQ(masu::Grid(*scene_, options).describe().structure, MASU_STRUCTURE_GRID);
+
+  const std::array<float, 9> far{0, 0, 0, 1e18F, 0, 0, 0, 1e18F, 0};
+  const masu::Tracer tracer(masu::Scene(far, std::array<std::uint32_t, 3>{0, 1, 2}));
+  EXPECT_EQ(tracer.grid().describe().structure, MASU_STRUCTURE_GRID);
+  const std::vector<masu_ray> rays{{{1e17F, 1e17F, 1e18F}, 0, {0, 0, -1}, infinity}};
+  EXPECT_EQ(found_by(tracer, rays).primitive[0], 0U);
+
+  masu_grid* grid = nullptr;
+  const masu::Tracer brute_force(*scene_, nullptr, {}, true);
+  EXPECT_THROW(static_cast<void>(brute_force.grid()), masu::Exception);
+  EXPECT_EQ(masu_tracer_grid(nullptr, &grid), MASU_ERROR_USAGE);
+}
+
 // A program of an older or a newer version works as far as both know, or meets an error.
 TEST_F(Library, StructuresOfOtherSizesWorkOrAreErrors) {
   prepare(random_mesh(engine_, 50));

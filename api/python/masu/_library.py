@@ -126,7 +126,7 @@ FACES = {"both": 0, "front": 1, "back": 2}
 LOOPS = {"auto": 0, "thread_per_ray": 1, "warp": 2, "warp_refill": 3}
 PRECISIONS = {"auto": 0, "fast": 1, "robust": 2, "double": 3}
 STORES = {"auto": 0, "float32": 1, "float64": 2}
-STRUCTURES = {"grid": 0, "bvh": 1, "fastest": 2}
+STRUCTURES = {"grid": 0, "bvh": 1, "fastest": 2, "auto": 3}
 MERGES = {"auto": 0, "none": 1, "x": 2, "balance": 3, "irregular": 4}
 QUALITIES = {"high": 0, "fast": 1}
 KINDS = ("triangle", "sphere", "cone")
@@ -199,6 +199,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_grid_free", None, c_void_p)
     declare("masu_grid_describe", c_int, c_void_p, POINTER(GridDescriptionRecord))
     declare("masu_tracer_create", c_int, c_void_p, c_void_p, POINTER(TracerOptionsRecord), handle)
+    declare("masu_tracer_grid", c_int, c_void_p, handle)
     declare("masu_tracer_update", c_int, c_void_p, POINTER(VerticesRecord))
     declare("masu_tracer_free", None, c_void_p)
     declare("masu_nearest", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), POINTER(HitsRecord))

@@ -235,14 +235,15 @@ class Scene(Resource):
         return Primitive(KINDS[record.kind], record.object, record.material, record.face, _vector(record.color),
                          record.diffuse, record.specular, record.shine, record.transmittance, record.refraction_index)
 
-    def build(self, *, structure: str = "fastest", merge: str = "auto", division: Union[str, int, Sequence[int], None] = None,
+    def build(self, *, structure: str = "auto", merge: str = "auto", division: Union[str, int, Sequence[int], None] = None,
               quality: str = "high", box_overlap: bool = False, cube_space: bool = False, target: Optional[int] = None,
               alpha: Optional[float] = None, step_cost: Optional[float] = None, detail: Optional[float] = None,
               nested: Optional[int] = None, expansions: Optional[int] = None, device: Union[str, int, Any] = "cpu",
               threads: int = 0, for_cpu: bool = False, progress: Progress = None) -> "Grid":
         """A grid of the scene. The options are gridbuild's; None is the default.
 
-        structure: "grid", "bvh", or "fastest" of both, which is a grid if merge or division is given; merge: "auto",
+        structure: "grid", "bvh", "fastest" of both on a GPU or, for_cpu, a CPU, or "auto", which is "bvh"; the last two
+        are a grid if merge or division is given; merge: "auto",
         "none", "x", "balance" or "irregular"; division: "auto", 64, (64, 64, 32), "cleary:1", …; quality: of a hierarchy,
         "high", or "fast", which takes a third of the time; box_overlap: a voxel lists the primitives whose bounding
         box meets it, not their surface; cube_space: the smallest cube about the origin is divided, not the primitives'

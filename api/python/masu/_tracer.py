@@ -92,8 +92,9 @@ def _device_name(gpus: Iterable[int]) -> str:
 class Tracer(Resource):
     """A scene and its grid on a device, for queries until it is closed; also a context manager.
 
-    Without a grid one is built on and for the device, as scene.build(structure="fastest") does. brute_force: instead of
-    that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the first GPU;
+    Without a grid what answers soonest is built on the device: scene.build(structure="bvh", quality="fast"), or a grid
+    where the scene is too large for a hierarchy. Whoever traces thousands of millions of rays builds one of quality
+    "high". brute_force: instead of that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the first GPU;
     "cuda:N" or N, the GPU of that number, from 0; or a list of such GPUs, which share arrays in host memory. Raises
     masu.Error.
 
@@ -137,14 +138,14 @@ class Tracer(Resource):
         if brute_force and grid is not None:
             raise TypeError("brute_force uses no grid: leave one of both out")
         self._gpus = _gpu_numbers(device)
-        if grid is None and not brute_force:
-            grid = scene.build(structure="fastest", device=self._gpus[0] if self._gpus else "cpu", for_cpu=not self._gpus,
-                               progress=progress)
-        self.scene, self.grid = scene, grid
         self._objects = scene.describe().objects  # the scene may be closed while the tracer lives
         options = sized(TracerOptionsRecord(gpus=(c_int * len(self._gpus))(*self._gpus), gpu_count=len(self._gpus),
                                             brute_force=int(brute_force)))
-        self._own("tracer", library.masu_tracer_create, (scene, grid, byref(options)), library.masu_tracer_free, options)
+        self._own("tracer", library.masu_tracer_create, (scene, grid, byref(options)), library.masu_tracer_free, options,
+                  progress)
+        if grid is None and not brute_force:
+            grid = Grid._of(library.masu_tracer_grid, self)
+        self.scene, self.grid = scene, grid
         self._register()
 
     def _register(self) -> None:

@@ -112,15 +112,20 @@ division() {
     frame division "$name" "$name" "$(echo "$name".none-*.grid)" --schedule hardware
   done
 }
-# What `gridbuild --structure fastest` considers, and the rates of rays through each.
+# What `gridbuild --structure fastest` may consider, and the rates of rays through each.
 choice() {
   local scene name i structure division options
   for scene in "$@"; do
     name=$(basename "$scene" .scene)
-    record choice "$processor.$name" gridbuild "$scene" -o choice.grid --structure fastest --for "$processor" --json -q
+    for structure in grid fastest; do
+      record choice "$processor.$name.$structure" gridbuild "$scene" -o choice.grid --structure "$structure" \
+        --for "$processor" --json -q
+    done
     python3 -c 'import json, sys
-for i, one in enumerate(json.load(open(sys.argv[1])).get("considered", [])):
-    print(i, one["structure"], "x".join(map(str, one["division"])))' "raw/choice.$processor.$name.out" >considered.txt
+grids, fastest = (json.load(open(path)).get("considered", []) for path in sys.argv[1:])
+for i, one in enumerate([*grids, *(one for one in fastest if one["structure"] == "bvh")]):
+    print(i, one["structure"], "x".join(map(str, one["division"])))' \
+      "raw/choice.$processor.$name."{grid,fastest}.out >considered.txt
     while read -r i structure division; do
       options="--merge ${structure/uniform/none} --division $division"
       [ "$structure" = bvh ] && options="--structure bvh"

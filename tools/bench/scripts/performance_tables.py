@@ -40,15 +40,18 @@ CHOICES = {"--structure fastest": STRUCTURES, "--merge auto": STRUCTURES[:2], "-
 
 
 def considered(results, processor):
-    """For each scene what was considered, as gridbuild says it, with the geometric mean of its rates."""
+    """For each scene the grids and the hierarchy that may be chosen, as gridbuild says it, with the geometric mean of
+    their rates."""
     runs, found = results["runs"]["choice"], {}
     for key, run in runs.items():
         of, _, scene = key.partition(".")
-        if of != processor or "considered" not in (run.get("output") or ()):
+        if of != processor or not scene.endswith(".grid") or not run.get("output"):
             continue
+        scene = scene.removesuffix(".grid")
+        fastest = runs[f"{of}.{scene}.fastest"]["output"]["considered"]
         found[scene] = rows = []
-        for i, one in enumerate(run["output"]["considered"]):
-            rates = [row["mrays_per_second"] for row in runs[f"{key}.{i}"]["output"]]
+        for i, one in enumerate([*run["output"]["considered"], *(one for one in fastest if one["structure"] == "bvh")]):
+            rates = [row["mrays_per_second"] for row in runs[f"{of}.{scene}.{i}"]["output"]]
             rows.append({**one, "rate": statistics.geometric_mean(rates)})
     return found
 
