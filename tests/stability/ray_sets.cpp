@@ -26,38 +26,38 @@ void for_each_hit(const SceneFile& file, const StructureFile& grid, std::span<co
   });
 }
 
+// Scattered diffusely from a hit of a ray that comes in.
+template <class Stored>
+Ray<double> scattered(const SurfacePoint<Stored>& point, const Vec3<Stored>& incoming,
+                      RandomSequence& random) {
+  const Vec3d normal = cast<double>(facing(point, incoming).normal);
+  const Vec3<Stored> direction = cast<Stored>(random_diffuse_direction(normal, random));
+  return unbounded_ray(cast<double>(leaving(point, direction)), cast<double>(direction));
+}
+
 template <class Stored>
 std::vector<Ray<double>> diffuse(const SceneFile& file, const StructureFile& grid,
                                  std::span<const Ray<double>> rays, std::uint64_t seed) {
   const Sphere<double> sphere = sphere_around(file.bounds());
-  std::vector<Ray<double>> scattered(rays.size());
+  std::vector<Ray<double>> all(rays.size());
   for_each_hit<Stored>(
       file, grid, rays, [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& incoming) {
         RandomSequence random(seed, i);
-        if (point == nullptr) {
-          scattered[i] = random_ray<Stored>(sphere, random);
-          return;
-        }
-        const Vec3d normal = cast<double>(facing(*point, incoming).normal);
-        const Vec3<Stored> direction = cast<Stored>(random_diffuse_direction(normal, random));
-        scattered[i] = unbounded_ray(cast<double>(leaving(*point, direction)), cast<double>(direction));
+        all[i] = point == nullptr ? random_ray<Stored>(sphere, random) : scattered(*point, incoming, random);
       });
-  return scattered;
+  return all;
 }
 
-template <class Stored>
-std::vector<Ray<double>> shadow(const SceneFile& file, const StructureFile& grid,
-                                std::span<const Ray<double>> rays) {
-  const SceneView<Stored> scene = file.view<Stored>();
-  if (scene.light_count == 0) return {};
+// Rays made of hits by make(ray's index, point, ray's direction), in the rays' order.
+template <class Stored, class Make>
+std::vector<Ray<double>> from_hits(const SceneFile& file, const StructureFile& grid,
+                                   std::span<const Ray<double>> rays, const Make& make) {
   std::vector<Ray<double>> all(rays.size());
   std::vector<std::uint8_t> present(rays.size(), 0);
   for_each_hit<Stored>(file, grid, rays,
-                       [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>&) {
+                       [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& incoming) {
                          if (point == nullptr) return;
-                         const Vec3<Stored> light = scene.lights[i % scene.light_count].position;
-                         const Vec3<Stored> origin = leaving(*point, light - point->position);
-                         all[i] = {cast<double>(origin), 0, cast<double>(light - origin), 1};
+                         all[i] = make(i, *point, incoming);
                          present[i] = 1;
                        });
   std::vector<Ray<double>> kept;
@@ -65,6 +65,32 @@ std::vector<Ray<double>> shadow(const SceneFile& file, const StructureFile& grid
     if (present[i] != 0) kept.push_back(all[i]);
   }
   return kept;
+}
+
+template <class Stored>
+std::vector<Ray<double>> shadow(const SceneFile& file, const StructureFile& grid,
+                                std::span<const Ray<double>> rays) {
+  const SceneView<Stored> scene = file.view<Stored>();
+  if (scene.light_count == 0) return {};
+  return from_hits<Stored>(file, grid, rays,
+                           [&](std::size_t i, const SurfacePoint<Stored>& point, const Vec3<Stored>&) {
+                             const Vec3<Stored> light = scene.lights[i % scene.light_count].position;
+                             const Vec3<Stored> origin = leaving(point, light - point.position);
+                             return Ray<double>{cast<double>(origin), 0, cast<double>(light - origin), 1};
+                           });
+}
+
+template <class Stored>
+std::vector<Ray<double>> ambient(const SceneFile& file, const StructureFile& grid,
+                                 std::span<const Ray<double>> rays, std::uint64_t seed) {
+  const double diagonal = 2 * sphere_around(file.bounds()).radius;
+  return from_hits<Stored>(
+      file, grid, rays, [&](std::size_t i, const SurfacePoint<Stored>& point, const Vec3<Stored>& incoming) {
+        RandomSequence random(seed, i);
+        Ray<double> ray = scattered(point, incoming, random);
+        ray.t_max = static_cast<float>(diagonal / 10);
+        return ray;
+      });
 }
 
 template <class Stored>
@@ -116,6 +142,12 @@ std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, 
 std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const StructureFile& grid,
                                      std::span<const Ray<double>> rays) {
   return scene.is_float64() ? shadow<double>(scene, grid, rays) : shadow<float>(scene, grid, rays);
+}
+
+std::vector<Ray<double>> ambient_rays(const SceneFile& scene, const StructureFile& grid,
+                                      std::span<const Ray<double>> rays, std::uint64_t seed) {
+  return scene.is_float64() ? ambient<double>(scene, grid, rays, seed)
+                            : ambient<float>(scene, grid, rays, seed);
 }
 
 } // namespace masu

@@ -1,5 +1,5 @@
-// Sets of rays for measurements: primary, diffuse, shadow and random rays. Their coordinates are numbers that
-// the scene's store holds, so that every precision traces the same rays.
+// Sets of rays for measurements: primary, diffuse, random, shadow and ambient rays. Their coordinates are
+// numbers that the scene's store holds, so that every precision traces the same rays.
 #pragma once
 
 #include "renderer/tracer/tracer.h"
@@ -26,5 +26,10 @@ std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, 
 // for a miss.
 std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const StructureFile& grid,
                                      std::span<const Ray<double>> rays);
+
+// One ray from each hit of `rays` as far as a tenth of the diagonal of the scene's bounds, in a direction as
+// diffuse_rays have it: of ambient occlusion. None for a miss.
+std::vector<Ray<double>> ambient_rays(const SceneFile& scene, const StructureFile& grid,
+                                      std::span<const Ray<double>> rays, std::uint64_t seed);
 
 } // namespace masu

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 struct Settings {
   std::string scene, size = "1024x1024", save;
-  std::vector<std::string> grids, sets{"primary", "diffuse", "random", "shadow"};
+  std::vector<std::string> grids, sets{"primary", "diffuse", "random", "shadow", "ambient"};
   Backend backend = Backend::automatic;
   TracingRules tracing;
   RayOrder order = RayOrder::tiles;
@@ -69,6 +69,8 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
     if (name == "random")
       sets.push_back({name, Query::nearest_hit, random_rays(scene, settings.random, settings.seed)});
     if (name == "shadow") sets.push_back({name, Query::occlusion, shadow_rays(scene, grid, primary)});
+    if (name == "ambient")
+      sets.push_back({name, Query::occlusion, ambient_rays(scene, grid, primary, settings.seed)});
   }
   return sets;
 }
@@ -158,8 +160,8 @@ void bench_rays(const Settings& settings, Output& output) {
 void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grids(command, settings.grids);
-  add_names(command, "--sets", settings.sets, {"primary", "diffuse", "random", "shadow"},
-            "sets of rays: primary, diffuse, random (closest hit), shadow (any hit); default: all");
+  add_names(command, "--sets", settings.sets, {"primary", "diffuse", "random", "shadow", "ambient"},
+            "sets of rays: primary, diffuse, random (closest hit), shadow, ambient (any hit); default: all");
   add_backend(command, settings.backend);
   command.add_choice("--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
                      "order of primary rays: rows, or tiles of 8x4");
