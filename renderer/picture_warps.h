@@ -9,6 +9,7 @@
 #pragma once
 
 #include "libscene/base/host_array.h"
+#include "libscene/base/portable.h"
 
 #include <cstdint>
 

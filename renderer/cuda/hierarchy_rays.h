@@ -9,6 +9,7 @@
 #include "libgrid/hierarchy/walk/packet_begin.h"
 #include "libgrid/hierarchy/walk/walks_in_use.h"
 #include "renderer/cuda/straggler_queue.h"
+#include "renderer/cuda/warp_rays.h"
 
 namespace masu {
 

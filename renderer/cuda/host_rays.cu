@@ -10,6 +10,10 @@
 namespace masu {
 namespace {
 
+// So few rays are read, and their results written, where they lie in page-locked memory: their few bytes take
+// less time over the bus than copies take to be begun.
+constexpr std::size_t rays_in_place = 4096;
+
 bool is_page_locked(const void* host) {
   return host != nullptr && attributes_of(host).type == cudaMemoryTypeHost;
 }
@@ -22,12 +26,12 @@ struct ResultArray {
 };
 using ResultArrays = std::array<ResultArray, 13>;
 
-// `row`: elements per ray of the arrays of hits.
-ResultArrays arrays_of(const RayResults& results, std::size_t row) {
+// `row`: elements per ray of the arrays of hits. In place, they are copied from the buffers.
+ResultArrays arrays_of(const RayResults& results, std::size_t row, bool in_place) {
   ResultArrays arrays{};
   std::size_t k = 0;
   for_each_array(results, [&](auto* host) {
-    arrays[k] = {host, (k < arrays_of_hits ? row : 1) * sizeof(*host), is_page_locked(host)};
+    arrays[k] = {host, (k < arrays_of_hits ? row : 1) * sizeof(*host), !in_place && is_page_locked(host)};
     ++k;
   });
   return arrays;
@@ -68,15 +72,16 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
   QueryReport report;
   if (rays.count == 0) return report;
   const DeviceScope device(files.memory->device);
-  const ResultArrays arrays = arrays_of(results, hit_rules(request).row());
   const std::size_t piece_rays = rays_per_piece(request);
-  const bool rays_page_locked = is_page_locked(rays.rays);
+  const bool in_place = rays.count <= std::min(rays_in_place, piece_rays);
+  const ResultArrays arrays = arrays_of(results, hit_rules(request).row(), in_place);
+  const bool rays_page_locked = !in_place && is_page_locked(rays.rays);
   const std::size_t ray_bytes = rays.format.bytes_per_ray();
   const DeviceArray<Counts> counts(&report.counts, files.are_counted(request.tracing) ? 1 : 0,
                                    {nullptr, files.memory->pool});
   const DeviceArray<std::uint32_t> object_masks(rays.filters.object_masks, rays.filters.object_count,
                                                 {nullptr, files.memory->pool});
-  check(cudaStreamSynchronize(nullptr));
+  if (counts.size() + object_masks.size() > 0) check(cudaStreamSynchronize(nullptr));
   const auto borrowed = files.memory->buffers.borrow();
   struct Drain { // after an error something may still be copied to them
     HostRayBuffers& buffers;
@@ -101,8 +106,10 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
     const std::size_t bytes = work.count * ray_bytes;
     const void* const from = rays_page_locked ? rays_of(work) : piece.rays.of(bytes);
     const std::size_t result_bytes = for_each_array(arrays, work.count, [](auto...) {});
-    const DeviceArray<std::uint8_t> device_rays(bytes, {stream, files.memory->pool}),
-        device_results(result_bytes, {stream, files.memory->pool});
+    std::uint8_t* const staging = piece.results.of(result_bytes);
+    const DeviceArray<std::uint8_t> device_rays(in_place ? 0 : bytes, {stream, files.memory->pool}),
+        device_results(in_place ? 0 : result_bytes, {stream, files.memory->pool});
+    std::uint8_t* const found = in_place ? staging : device_results.data();
     const auto one_per_ray = [&](const std::uint32_t* numbers) {
       const bool there = numbers != nullptr;
       return DeviceArray<std::uint32_t>(there ? numbers + work.first : nullptr, there ? work.count : 0,
@@ -110,22 +117,22 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
     };
     const DeviceArray<std::uint32_t> excluded = one_per_ray(rays.filters.excluded),
                                      ray_masks = one_per_ray(rays.filters.ray_masks);
-    RayList list(device_rays.data(), work.count, rays.format);
+    RayList list(in_place ? from : device_rays.data(), work.count, rays.format);
     list.filters = {excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
     check(cudaEventRecord(piece.begun, stream));
-    check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
+    if (!in_place) check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
     check(cudaEventRecord(piece.uploaded, stream));
-    report.kernel = launch_rays(files, list, results_in(device_results.data(), arrays, work.count), request,
-                                counts.data(), stream);
+    report.kernel =
+        launch_rays(files, list, results_in(found, arrays, work.count), request, counts.data(), stream);
     check(cudaEventRecord(piece.traced, stream));
-    std::uint8_t* const staging = piece.results.of(result_bytes);
-    for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
+    const auto bring = [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
       const ResultArray& array = arrays[k];
       void* const to = array.page_locked
                            ? static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_per_ray
                            : staging + offset;
-      check(cudaMemcpyAsync(to, device_results.data() + offset, array_bytes, cudaMemcpyDeviceToHost, stream));
-    });
+      check(cudaMemcpyAsync(to, found + offset, array_bytes, cudaMemcpyDeviceToHost, stream));
+    };
+    if (!in_place) for_each_array(arrays, work.count, bring);
     check(cudaEventRecord(piece.downloaded, stream));
   };
   const auto wait = [&](const HostRayBuffers::Piece& piece, const Work& work) {

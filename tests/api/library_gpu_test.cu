@@ -304,6 +304,24 @@ TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
   ASSERT_CUDA(cudaFreeHost(t));
 }
 
+// Few are traced where they lie in page-locked memory; one more of them isn't.
+TEST_F(LibraryOnGpu, ListsOfFewRaysGiveTheBitsOfTheCpu) {
+  const std::vector<masu_ray> all = rays(4097);
+  for (const std::size_t count : {std::size_t{1}, std::size_t{33}, all.size() - 1, all.size()}) {
+    const std::vector<masu_ray> list(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+    SCOPED_TRACE(count);
+    expect_same(found_by(*cpu_, list), found_by(*gpu_, list));
+    masu_ray* locked = nullptr;
+    ASSERT_CUDA(cudaMallocHost(&locked, count * sizeof(masu_ray)));
+    std::copy(list.begin(), list.end(), locked);
+    std::vector<std::uint8_t> expected(count), occluded(count);
+    cpu_->occluded(list.data(), count, expected.data());
+    gpu_->occluded(locked, count, occluded.data());
+    EXPECT_EQ(expected, occluded);
+    ASSERT_CUDA(cudaFreeHost(locked));
+  }
+}
+
 TEST_F(LibraryOnGpu, AScenesArraysMayLieOnTheGpu) {
   std::vector<float> vertices(9 * 100);
   for (float& v : vertices)
@@ -560,7 +578,7 @@ TEST_F(LibraryOnGpu, FindsTheSameOnSeveralGpus) {
   std::vector<int> all(static_cast<std::size_t>(count));
   for (int gpu = 0; gpu < count; ++gpu)
     all[static_cast<std::size_t>(gpu)] = gpu;
-  const std::vector<masu_ray> list = rays(2'500'000); // three pieces
+  const std::vector<masu_ray> list = rays(2'500'000); // several pieces
   const Found expected = found_by(*gpu_, list);
   for (const std::vector<int>& gpus : {std::vector<int>{0, 0}, all}) {
     const masu::Tracer several = opened(gpus);
