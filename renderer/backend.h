@@ -65,7 +65,7 @@ void render_cuda(const DeviceFiles& files, const FrameRequest& request, Frame& f
 // Rays on a device at a time, for each of the stages: one piece is uploaded while another is traced and the
 // results of a third come back.
 inline std::size_t rays_per_piece(const RaysRequest& request) {
-  return std::max((std::size_t{1} << 18) / hit_rules(request).row(), std::size_t{1});
+  return std::max((std::size_t{1} << 20) / hit_rules(request).row(), std::size_t{1});
 }
 // The share of a list of which devices have taken so many pieces.
 inline double share_of_pieces(std::size_t pieces, const RayList& rays, const RaysRequest& request) {

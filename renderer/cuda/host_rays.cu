@@ -121,10 +121,10 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
     list.filters = {excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
     check(cudaEventRecord(piece.begun, stream));
     if (!in_place) check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
-    check(cudaEventRecord(piece.uploaded, stream));
+    if (!in_place) check(cudaEventRecord(piece.uploaded, stream));
     report.kernel =
         launch_rays(files, list, results_in(found, arrays, work.count), request, counts.data(), stream);
-    check(cudaEventRecord(piece.traced, stream));
+    if (!in_place) check(cudaEventRecord(piece.traced, stream));
     const auto bring = [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
       const ResultArray& array = arrays[k];
       void* const to = array.page_locked
@@ -138,6 +138,10 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
   const auto wait = [&](const HostRayBuffers::Piece& piece, const Work& work) {
     if (work.count == 0) return;
     check(cudaEventSynchronize(piece.downloaded));
+    if (in_place) {
+      report.seconds.trace = seconds_between(piece.begun, piece.downloaded);
+      return;
+    }
     report.seconds.upload += seconds_between(piece.begun, piece.uploaded);
     report.seconds.trace += seconds_between(piece.uploaded, piece.traced);
     report.seconds.download += seconds_between(piece.traced, piece.downloaded);
@@ -151,6 +155,17 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
     });
   };
 
+  if (in_place) {
+    HostRayBuffers::Piece& piece = borrowed->pieces[0];
+    const Work all{0, rays.count};
+    if (request.progress) request.progress(0);
+    copy_in(piece, all);
+    begin(piece, all);
+    wait(piece, all);
+    copy_out(piece, all);
+    counts.download(&report.counts);
+    return report;
+  }
   // Turn by turn: what a slot's last piece found leaves its buffers while the next one's rays enter them. The
   // last turns have none.
   for (std::size_t turn = 0, last_turns = 0; last_turns < pieces_in_flight; ++turn) {

@@ -17,7 +17,7 @@ namespace {
 
 using DamagedFile = RandomTest;
 
-constexpr int cases = 1500;
+constexpr int cases = 500;
 
 // Overwrites up to four values, often with limits of some type.
 void damage(Bytes& bytes, std::mt19937_64& random) {

@@ -34,7 +34,7 @@ protected:
     const auto whole_run = time_of(tool, arguments);
     std::uniform_real_distribution<double> moment(0, 1.1);
     int interrupted = 0;
-    for (int i = 0; i < cases(10); ++i) {
+    for (int i = 0; i < cases(6); ++i) {
       const Files before = files();
       const pid_t process = start(tool, arguments);
       ASSERT_GT(process, 0);

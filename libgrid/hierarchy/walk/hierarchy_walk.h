@@ -72,6 +72,12 @@ MASU_HD inline void show(const LeafHierarchyView<Real, Stored>& hierarchy, std::
   visitor.leaf(hierarchy.leaves + reference);
 }
 
+// Whether what a visitor is shown first matters to it: not where it ends with any hit.
+template <class Visitor>
+constexpr bool needs_order = !requires(const Visitor& visitor) {
+  visitor.found();
+};
+
 // A walk under way.
 template <class Real>
 struct HierarchyWalk {
@@ -94,15 +100,21 @@ struct HierarchyWalk {
 
   // After a node was visited: the references in the boxes that the ray meets, and as the next node the one
   // that it enters first. Of the others the one that it enters first comes next, and none of them once all
-  // are entered beyond the nearest hit.
+  // are entered beyond the nearest hit. Where any hit will do they come by their slots, which takes less.
+  template <bool by_distance>
   MASU_HD void enter(const HierarchyNode& node, const MetBoxes& met, HierarchyStack& stack) {
     const std::uint32_t nodes = met.bits >> 24;
     references = {node.first_reference, met.bits & 0xffffff};
     next = no_node;
     if (nodes == 0) return;
-    const std::uint32_t slot = met.nearest & MetBoxes::slot_bits, others = nodes & ~(1U << slot);
+    const auto first = [](std::uint32_t slots, std::uint32_t nearest) {
+      return by_distance ? nearest : static_cast<std::uint32_t>(lowest_bit(slots));
+    };
+    const std::uint32_t slot = first(nodes, met.nearest) & MetBoxes::slot_bits,
+                        others = nodes & ~(1U << slot);
     next = node_in(node.first_node, node_slots(node), slot);
-    if (others != 0) push(stack, height, nodes_group(node.first_node, others, node_slots(node), met.second));
+    if (others != 0)
+      push(stack, height, nodes_group(node.first_node, others, node_slots(node), first(others, met.second)));
   }
 
   // Goes back for a node that the ray enters no farther than `farthest`, or for references, where there is no
@@ -141,7 +153,7 @@ struct HierarchyWalk {
       visitor.counts.cell(met.bits == 0);
       if constexpr (records_walk<std::decay_t<decltype(visitor.counts)>>)
         visitor.counts.visited(next, node, visitor.ray.origin, inverse, visitor.farthest(), met);
-      enter(node, met, stack);
+      enter<needs_order<Visitor>>(node, met, stack);
     }
 #ifdef __CUDA_ARCH__
     const int testing = __popc(__activemask());

@@ -70,15 +70,16 @@ __device__ inline MetBoxes boxes_met_by_lane(const HierarchyNode& node, const Ve
 }
 
 // What all lanes of each group have met, to each of them.
-template <int log2>
+template <int log2, bool by_distance>
 __device__ inline void join_lanes(MetBoxes& met) {
 #pragma unroll
   for (int step = 0; step < log2; ++step) {
+    met.bits |= __shfl_xor_sync(all_lanes, met.bits, 1 << step);
+    if constexpr (!by_distance) continue;
     const std::uint32_t nearest = __shfl_xor_sync(all_lanes, met.nearest, 1 << step),
                         second = __shfl_xor_sync(all_lanes, met.second, 1 << step);
     met.second = ::min(::max(met.nearest, nearest), ::min(met.second, second));
     met.nearest = ::min(met.nearest, nearest);
-    met.bits |= __shfl_xor_sync(all_lanes, met.bits, 1 << step);
   }
 }
 // The nearest hit, of NearestHit and of AnyHit.
@@ -111,8 +112,8 @@ __device__ inline bool advance_group(const Hierarchy& hierarchy, HierarchyWalk<f
     node = fetched(hierarchy.nodes + walk.next);
     met = boxes_met_by_lane<log2>(node, visitor.ray.origin, walk.inverse, visitor.farthest(), sub);
   }
-  join_lanes<log2>(met);
-  if (visits) walk.enter(node, met, stack);
+  join_lanes<log2, needs_order<Visitor>>(met);
+  if (visits) walk.template enter<needs_order<Visitor>>(node, met, stack);
   if (!has_ray) walk.references.bits = 0;
   while (__any_sync(all_lanes, walk.references.bits != 0)) {
     // Each lane takes another of the first references.
