@@ -13,7 +13,6 @@ argument's, for errors:
                           yields the stream's handle
 """
 
-import functools
 import importlib
 import sys
 from typing import Any, Tuple
@@ -21,27 +20,19 @@ from typing import Any, Tuple
 _DLPACK_CPU, _DLPACK_CUDA, _DLPACK_CUDA_HOST, _DLPACK_CUDA_MANAGED = 1, 2, 3, 13
 
 
-@functools.lru_cache(maxsize=None)
-def _module(name: str) -> Any:
-    return importlib.import_module(name, __package__)
-
-
 def recognize(name: str, array: Any, stream: Any) -> Tuple[Any, Any]:
     """The module for an array's library, and the array, which is that library's then. Other libraries' arrays on a GPU
     become tensors of PyTorch or arrays of CuPy where they lie; everything else becomes NumPy's."""
-    numpy = sys.modules.get("numpy")  # whoever has their arrays has imported them
-    if numpy is not None and type(array) is numpy.ndarray:  # at once: a call of one ray takes microseconds
-        return _module("._numpy"), array
-    torch = sys.modules.get("torch")
+    torch = sys.modules.get("torch")  # whoever has their arrays has imported them
     if torch is not None and isinstance(array, torch.Tensor):
-        return _module("._torch"), array
+        return importlib.import_module("._torch", __package__), array
     cupy = sys.modules.get("cupy")
     if cupy is not None and isinstance(array, cupy.ndarray):
-        return _module("._cupy"), array
+        return importlib.import_module("._cupy", __package__), array
     if _lies_on_gpu(name, array):
         return _adopted(name, array, stream)
     try:
-        numpy = _module("._numpy")
+        numpy = importlib.import_module("._numpy", __package__)
     except ImportError as error:
         raise TypeError("{}: {} needs NumPy: {}".format(name, type(array).__name__, error)) from error
     try:
