@@ -2,7 +2,7 @@
 """The tables of what accuracy.sh measured.
 
 accuracy_tables.py RESULTS.json                  prints the tables as markdown
-accuracy_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
+accuracy_tables.py RESULTS.json --into FILE…     puts each that was measured between its marks in these documents:
                                                  <!-- table NAME --> … <!-- end -->
 accuracy_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of accuracy.sh's working folder first
 """
