@@ -12,7 +12,11 @@ import sys
 PAGES = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "tools"
 BLOCK = re.compile(r"(?m)^<!-- options (.+) -->\n((?:.*\n)*?)<!-- end -->$")
 INDENT = " " * 26  # of descriptions (tools/common/command_line.cpp)
-SHARED = ("-h,", "--version")  # docs/tools/README.md has them
+# docs/tools/README.md has them: these, and these where they are as everywhere.
+SHARED = ("-h,", "--version")
+COMMON = [["-q,--quiet", "no progress on standard error"],
+          ["--threads N", "number of CPU threads; 0: all cores (0 to 4096; default 0)"]]
+RENDERER = "gridrender"  # whose page has what other tools share with it
 
 
 def help_of(bin_folder, command):
@@ -52,10 +56,17 @@ def row(names, description):
     return "| {} |\n".format(" | ".join(cell.replace("|", r"\|") for cell in cells))
 
 
-def table(text):
+def table(text, of_renderer=()):
+    """Options that are the renderer's, too, are named in a row of their group alone."""
     lines = "| option | default | meaning |\n|---|---|---|\n"
     for group, options in groups(text):
-        rows = "".join(row(*option) for option in options if not option[0].startswith(SHARED))
+        options = [option for option in options if not option[0].startswith(SHARED) and option not in COMMON]
+        rows = "".join(row(*option) for option in options if option not in of_renderer)
+        same = ", ".join("`{}`".format(names.replace("|", r"\|").replace(",-", ", -"))
+                         for names, _ in (option for option in options if option in of_renderer))
+        if same:
+            shared = "| {} | | as of [{r}]({r}.md) |\n".format(same, r=RENDERER)
+            rows = shared + rows if group == "Positionals" else rows + shared
         titled = rows and group not in ("Positionals", "Options")
         lines += ("| **{}** | | |\n".format(group) if titled else "") + rows
     return lines
@@ -70,6 +81,7 @@ def commands(bin_folder, tool):
 def main():
     bin_folder, write = pathlib.Path(sys.argv[1]).resolve(), "--write" in sys.argv[2:]
     failed = False
+    rendering = [option for _, options in groups(help_of(bin_folder, RENDERER)) for option in options]
     for page in sorted(PAGES.glob("*.md")):
         if page.name == "README.md":
             continue
@@ -81,7 +93,7 @@ def main():
             print("FAILED: {}: only one of the page and {} --help has {}".format(page.name, tool, command))
             failed = True
         new = BLOCK.sub(lambda match: "<!-- options {} -->\n{}<!-- end -->".format(
-            match[1], table(help_of(bin_folder, match[1]))), text)
+            match[1], table(help_of(bin_folder, match[1]), () if tool == RENDERER else rendering)), text)
         if write:
             page.write_text(new, encoding="utf-8")
         elif new != text:
