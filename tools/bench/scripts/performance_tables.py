@@ -243,7 +243,7 @@ def tables(results):
             stats = output("cells", f"{s}{grid}")
             rays = sum(stats[f"{kind}_rays"] for kind in ("eye", "reflection", "refraction", "shadow"))
             return (stats["cells_visited"] + sum(stats["intersection_tests"].values())) / rays
-        grids = [*(f".none-{n}" for n in (16, 32, 64, 128, "auto")), ".x-128", ".balance-128", ".irregular", "-bvh"]
+        grids = [*(f".none-{n}" for n in (16, 32, 64, "auto")), ".irregular", "-bvh"]
         rows = [[f"`{grid[1:].replace('-', ', ')}`", *(figure(lambda: cost(s, grid), "{:.1f}") for s in STANDARD)]
                 for grid in grids]
         return table(["`--merge`, `--division`", *STANDARD],
