@@ -55,7 +55,7 @@ prepare() {
 
 builds() {
   local name device run
-  for name in "${standard[@]}" "${large[@]}"; do
+  for name in "${large[@]}"; do
     for device in $devices; do
       for run in 1 2 3; do
         record builds "$name.$device.$run" gridbuild "$name.scene" -o "built.$device" --merge irregular \

@@ -285,7 +285,7 @@ def tables(results):
                     ms(lambda: middle(s, "cuda")["device_seconds"]["build"]),
                     *(ms(lambda: middle(s, where)["build_seconds"]) for where in ("cuda", "cpu", "one"))]
         return table(["scene", "primitives", "GPU, build", "GPU, with set-up and copies", f"{machine['cores']} cores",
-                      "one core"], [row(s) for s in STANDARD + LARGE])
+                      "one core"], [row(s) for s in LARGE])
 
     def middle_of(section, *keys):
         """Of the runs with these keys: the median of each of the seconds that the tool prints."""
