@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes the figures and tables of docs/lesson.md: lesson.sh [FOLDER], by default out/lesson; the tools are taken from
-# build/bin, or BIN. Takes two minutes on one core. THREADS (default 1): of the CPU, for measurements.
+# build/bin, or BIN. Takes two minutes on one core. THREADS (default 1): of the CPU, for measurements. MASU_QUICK=1: times
+# are of single runs, for figures alone.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 charts=$PWD/tools/bench/charts
@@ -11,6 +12,8 @@ mkdir -p "$out"
 cd "$out"
 PATH=$bin:$PATH
 divisions="2 4 8 16 32 64 128"
+repeat="--warm-up 1 --repeat 7" medians=3
+if [ "${MASU_QUICK:-}" ]; then repeat="--warm-up 0 --repeat 1" medians=1; fi
 section() { printf '\n== %s\n' "$*"; }
 run() { echo; echo "\$ $*"; "$@"; }
 
@@ -20,9 +23,10 @@ cost() { # name, scene, grid…
   local name=$1
   shift
   echo
-  echo "\$ gridbench rays $* --sets primary --size 256x256 --backend cpu --threads $threads --warm-up 1 --repeat 7"
-  for _ in 1 2 3; do
-    gridbench rays "$@" --sets primary --size 256x256 --backend cpu --threads "$threads" --warm-up 1 --repeat 7 --json
+  echo "\$ gridbench rays $* --sets primary --size 256x256 --backend cpu --threads $threads $repeat"
+  for _ in $(seq $medians); do
+    # shellcheck disable=SC2086 # options
+    gridbench rays "$@" --sets primary --size 256x256 --backend cpu --threads "$threads" $repeat --json
   done |
     awk -F '[:,]' '
       function number() { return $2 + 0 }
@@ -84,12 +88,12 @@ if command -v gnuplot >/dev/null; then
 else
   echo "tradeoff.png: left out (it needs gnuplot)"
 fi
-# Slices that are compared have one scale.
+# Slices that are compared have one scale; three stand side by side, so they are small.
 for n in 8 32; do
-  gridstat teapot-$n.grid --slice y@0 --outline teapot.scene --lines --size 480 --color-high 339 -o uniform-$n.png \
+  gridstat teapot-$n.grid --slice y@0 --outline teapot.scene --lines --size 240 --color-high 339 -o uniform-$n.png \
     --title "uniform, $n x $n x $n"
 done
-gridstat teapot-128.grid --slice y@0 --size 480 --color-high 339 -o uniform-128.png --title "uniform, 128 x 128 x 128"
+gridstat teapot-128.grid --slice y@0 --size 240 --color-high 339 -o uniform-128.png --title "uniform, 128 x 128 x 128"
 
 section "3. Occupancy"
 # The 2012 thesis's scenes: without floors and the spheres of mount.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs missing packages, builds, and runs the tools once: generate, convert, build a grid, inspect, render.
+# Installs missing packages, builds, and runs the tools once: generate, convert, build a hierarchy, inspect, render.
 # demo.sh [SCENE]: balls (default), gears, mount, nurbs, rings, teapot, tetra or tree.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -8,9 +8,12 @@ source tools/setup.sh
 require "${basics[@]}" -- "${extras[@]}"
 find_cuda
 
-echo "== building the programs: some two minutes on two cores"
+echo "== building the programs: some three minutes on two cores"
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=OFF "${cuda_options[@]}" \
   -- --target nffgen nff2bin gridbuild gridstat gridrender
+for program in mesh2bin gridview; do # of a mesh of one's own, where what they need was found
+  if cmake --build build --target help | grep -qE "\b$program\b"; then build build -- --target $program; fi
+done
 
 bin=build/bin
 out=out/$scene
@@ -25,10 +28,13 @@ cat <<NEXT
 
 the picture: $out.png
 
-next, with a mesh of your own (OBJ, PLY, STL, OFF; others where there is Assimp):
-  cmake --build build --parallel --target mesh2bin gridview
-  $bin/mesh2bin model.obj -o out/model.scene
-  $bin/gridbuild out/model.scene -o out/model.grid
-  $bin/gridrender out/model.scene out/model.grid -o out/model.png
-  $bin/gridview out/model.scene out/model.grid    # in a browser
+next, with a mesh of your own (OBJ, PLY, STL, OFF, glTF, FBX, …):
+  export PATH=\$PWD/$bin:\$PATH
+  mesh2bin model.obj -o out/model.scene
+  gridbuild out/model.scene -o out/model.grid
+  gridview out/model.scene out/model.grid         # in a browser
+  gridrender out/model.scene out/model.grid -o out/model.png
 NEXT
+for program in mesh2bin gridview; do
+  [ -e $bin/$program ] || echo "$program isn't built: it lacks what \"Building\" in docs/development.md says"
+done

@@ -117,7 +117,7 @@ void run(Settings& settings) {
 
 void add_options(const CommandLine& command, Settings& settings) {
   command.footer("Example:\n  gridview balls.scene balls.grid");
-  command.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin").required();
+  command.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin or mesh2bin").required();
   command.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
       .required()
       .values(1, 16);

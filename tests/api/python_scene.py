@@ -60,6 +60,6 @@ def brute_force(vertices, faces, rays):
 
 
 def documented_examples():
-    """The blocks of docs/library/python.md that begin with ```python."""
-    text = pathlib.Path(__file__).resolve().parent.parent.parent.joinpath("docs/library/python.md").read_text(encoding="utf-8")
+    """The blocks of docs/library/README.md that begin with ```python."""
+    text = pathlib.Path(__file__).resolve().parent.parent.parent.joinpath("docs/library/README.md").read_text(encoding="utf-8")
     return re.findall("^```python\n(.*?)^```", text, re.M | re.S)

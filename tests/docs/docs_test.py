@@ -1,10 +1,13 @@
-"""Types what a page of the documentation says, in a copy of the source: docs_test.py BUILD PAGE FOLDER.
+"""Types what a page of the documentation says, as its reader does: docs_test.py BUILD PAGE FOLDER.
 
-Commands are indented blocks. Those of a page are run one after another in one shell (bash), with the programs of BUILD,
-which stand where a build would have put them, and must end with 0. An indented block that begins with `$ ` also has what
-its commands print, which must be the same. Fenced blocks say their language; Python, C and C++ are run, too. What can't
-be run is named below with the reason; anything else fails. FOLDER is made anew, and kept. Environment: PYTHON, an
-interpreter with NumPy.
+The reader is in the source's folder after a build, in a new shell (bash): FOLDER, made anew and kept, is a copy of the
+source with the programs of BUILD in build/, and neither the PATH nor files are prepared. A page that links to the "first
+commands" (docs/tools/README.md#first-commands) is typed after these; any other file is made by a command of the page.
+
+Commands are indented blocks. Those of a page are run one after another, and must end with 0. An indented block that
+begins with `$ ` also has what its commands print, which must be the same. Fenced blocks say their language; one whose
+first line is a comment with a file's name is written to that file, for the commands that follow. What can't be run is
+named below with the reason; anything else fails. Environment: PYTHON, an interpreter with NumPy, which is python3 here.
 """
 
 import os
@@ -19,19 +22,19 @@ import sys
 NOT_RUN = {
     r"^tools/(demo|test)\.sh": "install packages and build everything; test.sh runs this test",
     r"^pip install": "installs for the user: wheel_test.py installs into an environment of its own",
-    r"examples/build-all": "compiles the library: run by examples_test.sh",
     r"^examples/lesson\.sh": "takes two minutes: most of its commands are lesson.md's",
     r"tools/bench/scripts/(performance|accuracy)(\.sh|_tables\.py)": "take minutes to hours on a quiet machine",
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
     r"^MASU_TEST_EFFORT=.*ctest|^ctest .*-L stability": "tests that run beside this one",
-    r"^tools/bench/scripts/charts\.py": "draws what is in docs/, with gnuplot",
+    r"^tools/bench/scripts/(charts|pictures)\.": "draw what is in docs/: run by Docs.pictures",
     r"^ssh ": "needs another machine",
     r"^srun ": "needs Slurm",
     r"--map-by ppr:4:node": "needs two machines",
 }
-# Fenced blocks that aren't commands, or can't be run here.
-OTHER_LANGUAGES = {"text": "not code", "json": "not code", "nff": "not code", "cuda": "examples_test.sh has a program"}
+# Fenced blocks that aren't typed.
+OTHER_LANGUAGES = {"text": "not code", "json": "not code", "cuda": "examples_test.sh has a program",
+                   "python": "needs PyTorch: run by python_gpu_test.py and python_torch_test.py"}
 # Programs that are built where what they need was found.
 OPTIONAL_PROGRAMS = ("mesh2bin", "gridview", "gridrender-mpi", "gridtrace-mpi", "masu_cpu_rays")
 # How much is done, where it would take minutes, and on which device: a CPU is always there.
@@ -50,16 +53,15 @@ SMALLER = [
     (r"(gridbench rays .*)--loop \S+", r"\1--size 64x64 --random 1000"),  # loops are a GPU's
     (r"--(backend|device) cuda", r"--\1 cpu"),
     (r"--devices \S+", "--devices cpu"),
-    (r"/opt/masu", "$PWD/opt/masu"),
+    (r"/opt/masu", "$SOURCE/opt/masu"),
 ]
-# Scenes that a page takes for made, as docs/tools/README.md makes them.
-SCENES = r"\b((balls|gears|mount|nurbs|rings|teapot|tetra|tree)(?:-\d+)?)\.(?:scene|grid)\b"
 
 # What stands for the programs of other packages while commands are typed. `cmake --build` of this source puts the
 # tested build's products where a build would have put them; nothing is installed outside the folder.
 SHELL = r"""
 set -euo pipefail
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a test may be run by root
+SOURCE=$PWD
+# Of a machine with one core.
 export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
 export PYTHONDONTWRITEBYTECODE=1
 where="the beginning"
@@ -83,14 +85,14 @@ cmake() {
 }
 ctest() { # the tested build's tests are listed: there must be some
   case "$*" in
-    *"--test-dir build "*) command ctest "${@/#build/$TESTED}" -N | tee typed/printed | grep 'Total Tests: [1-9]' ;;
+    *"--test-dir build "*) command ctest "${@/#build/$TESTED}" -N | tee "$SOURCE/typed/printed" | grep 'Total Tests: [1-9]' ;;
     *) command ctest "$@" ;;
   esac
 }
 gridview() { # which serves until it is ended
   if [[ $* = *--export* || $* = *--help* ]]; then command gridview "$@"; return; fi
-  command gridview "$@" --port 0 >typed/address &
-  until [ -s typed/address ]; do kill -0 $! 2>/dev/null || break; sleep 0.1; done
+  command gridview "$@" --port 0 >"$SOURCE/typed/address" &
+  until [ -s "$SOURCE/typed/address" ]; do kill -0 $! 2>/dev/null || break; sleep 0.1; done
   kill $! 2>/dev/null || true # ended by itself: with which code?
   wait $!
 }
@@ -105,11 +107,10 @@ apt-get() { # install: the same packages as tools/setup.sh's
     for package in $known; do [[ " $* " = *" $package "* ]] || { echo "$package is missing"; exit 1; }; done
   )
 }
-scene() { # name of a scene in a file's name, its generator's name
-  [ -e "$1.scene" ] || nffgen "$2" | nff2bin - -o "$1.scene"
-  [ -e "$1.grid" ] || gridbuild "$1.scene" -o "$1.grid" -q
-}
 """
+
+
+HEAD = "docs/tools/README.md"
 
 
 def blocks(text):
@@ -170,11 +171,10 @@ class Page:
         self.script = [SHELL]
         self.failures = []
         self.files = {}
-        self.python_text = ""
 
     def file(self, name, text):
         self.files[name] = text
-        return shlex.quote("typed/" + name)
+        return '"$SOURCE/typed/{}"'.format(name)
 
     def run(self, line, command, shown=None):
         where = "{}:{}".format(self.name, line)
@@ -189,11 +189,6 @@ class Page:
         self.script.append("say {}".format(shlex.quote("{}:{}: not run: {} ({})".format(
             self.name, line, command, reason))))
 
-    def make_scenes(self, command):
-        for name, scene in sorted(set(re.findall(SCENES, command))):
-            if not re.search(r"-o {}\.(scene|grid)\b".format(name), command):
-                self.script.append("scene {} {}".format(name, scene))
-
     def type(self, line, command):
         reason = reason_not_run(command)
         missing = self.missing_program(command)
@@ -203,7 +198,6 @@ class Page:
         typed = command
         for pattern, smaller in SMALLER:
             command = re.sub(pattern, smaller, command)
-        self.make_scenes(command)
         self.run(line, command, typed if typed == command else typed + "\n   run as: " + command)
 
     def console(self, line, text):
@@ -216,47 +210,38 @@ class Page:
             if missing:
                 self.skip(line + start, command, missing + " isn't built")
                 continue
-            self.make_scenes(command)
             printed = "".join(row + "\n" for row in rows[start + 1:end])
             expected = self.file("{}.expected".format(line + start), printed)
-            self.run(line + start, "{{ {}; }} >typed/printed".format(command), command)
-            self.run(line + start, "diff -u {} typed/printed".format(expected), "prints what the page shows")
+            self.run(line + start, '{{ {}; }} >"$SOURCE/typed/printed"'.format(command), command)
+            self.run(line + start, 'diff -u {} "$SOURCE/typed/printed"'.format(expected), "prints what the page shows")
 
-    def python(self, line, text):
-        if "import torch" in text:
-            self.skip(line, "Python", "needs PyTorch: run by python_gpu_test.py and python_torch_test.py")
-        else:
-            self.python_text += text + "\n"  # each block goes on where the last ended
-            self.run(line, "PYTHONPATH=api/python MASU_LIBRARY=build/api/libmasu.so python3 " +
-                     self.file("{}.py".format(line), self.python_text), "Python")
-
-    def compiled(self, line, language, text):
-        """A program; or what belongs into a function, which becomes main(), after the page's own and the usual headers."""
-        rows = text.split("\n")
-        headers = "#include <math.h>\n#include <stdio.h>\n#include <masu/masu.h>\n"
-        own = "".join(row + "\n" for row in rows if row.startswith("#"))
-        body = "".join(row + "\n" for row in rows if not row.startswith("#"))
-        name, compiler = ("c", "cc -std=c99") if language == "c" else ("cpp", "c++ -std=c++20")
-        program = text if "int main(" in text else headers + own + "int main(void) {\n" + body + "return 0;\n}\n"
-        source = self.file("{}.{}".format(line, name), program)
-        self.run(line, "{} -I{t}/include {} -o typed/program -L{t}/api -lmasu -Wl,-rpath,{t}/api && "
-                       "typed/program".format(compiler, source, t=shlex.quote(str(self.tested))), language)
-
-    def block(self, line, language, text):
-        if language == "python":
-            self.python(line, text)
-        elif language in ("c", "c++"):
-            self.compiled(line, language, text)
+    def fenced(self, line, language, text):
+        named = re.match(r"(?:#|//|/\*) ([\w.]+\.\w+)\b", text)
+        if named:
+            self.run(line, "cp {} {}".format(self.file(named[1], text + "\n"), named[1]), "the file " + named[1])
         elif language in OTHER_LANGUAGES:
             self.skip(line, language, OTHER_LANGUAGES[language])
-        elif language:
-            self.failures.append("{}:{}: a fenced block of {}: name python, c, c++ or {}, or indent commands".format(
-                self.name, line, language, ", ".join(OTHER_LANGUAGES)))
-        elif is_console(text):
-            self.console(line, text)
         else:
-            for number, command in commands(text):
-                self.type(line + number, command)
+            self.failures.append("{}:{}: a fenced block of {} that names no file: indent commands".format(
+                self.name, line, language))
+
+    def type_blocks(self, first_line, text):
+        for line, language, block in blocks(text):
+            line += first_line - 1
+            if language:
+                self.fenced(line, language, block)
+            elif is_console(block):
+                self.console(line, block)
+            else:
+                for number, command in commands(block):
+                    self.type(line + number, command)
+
+
+def first_commands(source):
+    """(number of the first line, text) of the section that pages link to."""
+    before, head, rest = (source / HEAD).read_text(encoding="utf-8").partition("\n## First commands\n")
+    assert head, HEAD
+    return (before + head).count("\n") + 1, rest.partition("\n## ")[0]
 
 
 def configured_options(tested):
@@ -293,12 +278,16 @@ def main():
 
     page = Page(name, tested)
     page.script.append("made build")
-    for line, language, text in blocks((folder / name).read_text(encoding="utf-8")):
-        page.block(line, language, text)
+    text = (folder / name).read_text(encoding="utf-8")
+    if name != HEAD and "README.md#first-commands)" in text:
+        page.type_blocks(*first_commands(source))
+    page.type_blocks(1, text)
     page.failures += ["NOT_RUN has {}, which no page types any more".format(p) for p in stale_lists(source)]
     for file, text in page.files.items():
         (folder / "typed" / file).write_text(text, encoding="utf-8")
-    environment = {**os.environ, "TESTED": str(tested), "PATH": "{}:{}".format(tested / "bin", os.environ["PATH"])}
+    kept = ("HOME", "PATH", "LANG", "LC_ALL", "TMPDIR", "PYTHON") # of the environment
+    environment = {key: os.environ[key] for key in kept if key in os.environ}
+    environment["TESTED"] = str(tested)
     options = "CONFIGURED=({})\n".format(" ".join(shlex.quote(option) for option in configured_options(tested)))
     script = folder / "typed" / "script.sh"
     script.write_text(options + "\n".join(page.script) + "\n", encoding="utf-8")

@@ -155,7 +155,7 @@ TEST_F(SliceTool, PixelsOfAPngAreTheCellsInTheirColors) {
       low = std::min(low, cell[4].get<double>());
     }
     ASSERT_GT(high, low);
-    const ColorMap map;
+    const ColorMap map = ColorMap::of_lists();
     const auto voxels = slice["voxels"];
     const double width = 640,
                  height = std::round(

@@ -179,6 +179,7 @@ TEST_F(Tradeoff, TheTableIsTheParetoFront) {
     EXPECT_TRUE(std::none_of(front.begin(), front.end(), [&](const Merit& b) { return dominates(a, b); }));
   }
   for (const TradeoffRow& row : rows()) {
+    if (row.configuration.stop != StopRule::proven) continue; // never on a front
     const Merit merit = merit_of_hits(row);
     EXPECT_TRUE(std::any_of(front.begin(), front.end(), [&](const Merit& best) {
       return best.speed >= merit.speed * (1 - 1e-5) && best.error <= merit.error; // the file has six digits

@@ -292,7 +292,7 @@ void bench_tradeoff(const Settings& settings, Output& output) {
 }
 
 void add_options(const CommandLine& command, Settings& settings) {
-  command.add_option("SCENE", settings.scenes, "scene files, from nff2bin");
+  command.add_option("SCENE", settings.scenes, "scene files, from nff2bin or mesh2bin");
   command
       .add_option(
           "-o,--output", settings.folder,

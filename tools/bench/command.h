@@ -68,7 +68,7 @@ void add_command(const CommandLine& gridbench, const char* name, const char* des
 }
 
 inline void add_scene(const CommandLine& command, std::string& scene) {
-  command.add_option("SCENE", scene, "scene file, from nff2bin").required();
+  command.add_option("SCENE", scene, "scene file, from nff2bin or mesh2bin").required();
 }
 inline void add_grid(const CommandLine& command, std::string& grid) {
   command.add_option("GRID", grid, "grid file, from gridbuild").required();

@@ -240,7 +240,7 @@ std::vector<char*> with_interleaving(int argc, char** argv) {
 }
 
 void add_options(const CommandLine& command, Settings& settings) {
-  command.add_option("SCENE", settings.scene, "scene file of triangles, from nff2bin").required();
+  command.add_option("SCENE", settings.scene, "scene file of triangles, from nff2bin or mesh2bin").required();
   command.add_option("GRID", settings.grids, "grid files, from gridbuild").required();
   command.add_option("--sets", settings.sets, "sets of rays: primary, diffuse, random")
       .comma_separated()

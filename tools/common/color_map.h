@@ -50,10 +50,10 @@ inline Rgb color_of(double lightness, double chroma, double hue) {
   return rgb;
 }
 
-// From dark violet by green to light yellow: lightness rises evenly, so that order can be seen without
-// colour.
+// From dark to light: lightness rises evenly, so that order can be seen without colour.
 class ColorMap {
 public:
+  // What a ray takes, and depth: from violet by green to yellow.
   ColorMap() {
     for (std::size_t i = 0; i < size; ++i) {
       const double t = static_cast<double>(i) / (size - 1);
@@ -61,6 +61,16 @@ public:
       const double chroma = 0.09 + 0.25 * (t - 0.42) * (t - 0.42);
       colors_[i] = color_of(0.2 + 0.74 * t, chroma, 300 - 195 * t);
     }
+  }
+  // Lists of cells and boxes: violet alone, so that none of their colours means anything else beside a ray's
+  // walk.
+  static ColorMap of_lists() {
+    ColorMap map;
+    for (std::size_t i = 0; i < size; ++i) {
+      const double t = static_cast<double>(i) / (size - 1);
+      map.colors_[i] = color_of(0.2 + 0.68 * t, 0.19 - 0.11 * t, 300);
+    }
+    return map;
   }
   // t from 0 to 1; others as the nearer end.
   const Rgb& operator()(double t) const {

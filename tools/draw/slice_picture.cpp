@@ -175,7 +175,7 @@ private:
   }
 
   bool all_sides_;
-  ColorMap map_;
+  ColorMap map_ = ColorMap::of_lists();
   std::map<long, std::vector<DrawingBox>> cells_; // by darkness
   std::vector<DrawingBox> with_dark_lines_, with_light_lines_;
 };

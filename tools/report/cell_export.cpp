@@ -104,7 +104,7 @@ void write_ply(const StructureFile& file, const CellExport& options, OutputFile&
       version, commit, cells * corners_per_cell, shapes);
   out.write(head.data(), head.size());
 
-  const ColorMap map;
+  const ColorMap map = ColorMap::of_lists();
   const double range = std::log(std::max<double>(most, 2));
   for_each_exported(file, options, [&](const StructureBox& cell) {
     const Boxd& box = options.expanded ? cell.expanded : cell.box;

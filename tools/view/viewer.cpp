@@ -28,10 +28,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The colour map in equal steps, as #rrggbb.
-Json color_map_samples() {
+// A colour map in equal steps, as #rrggbb.
+Json samples_of(const ColorMap& map) {
   constexpr int samples = 33;
-  const ColorMap map;
   Json colors = Json::array();
   for (int i = 0; i < samples; ++i) {
     const Rgb& color = map(static_cast<double>(i) / (samples - 1));
@@ -330,7 +329,8 @@ Json Viewer::description() const {
             {"camera", camera_json(scene_.camera())},
             {"grids", grids},
             {"channels", picture_channel_names()},
-            {"colors", color_map_samples()},
+            {"colors", samples_of(ColorMap())},
+            {"list_colors", samples_of(ColorMap::of_lists())},
             {"backend", cuda ? "cuda" : "cpu"},
             {"device", device_name(cuda)},
             {"precision", name_of(precision_)},

@@ -2,7 +2,7 @@
 """The tables of what accuracy.sh measured.
 
 accuracy_tables.py RESULTS.json                  prints the tables as markdown
-accuracy_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
+accuracy_tables.py RESULTS.json --into FILE…     puts each that was measured between its marks in these documents:
                                                  <!-- table NAME --> … <!-- end -->
 accuracy_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of accuracy.sh's working folder first
 """
@@ -108,16 +108,21 @@ def tables(results):
     output = lambda section, key: runs[section][key]["output"]
 
     def sweeps():
+        """Those that fail somewhere; the others by name."""
         rows = sweep_rows(results)
-        lines = []
+        lines, right, beyond = [], [], []
         for sweep in names(rows):
-            float32 = lambda mode: of(rows, sweep, mode=mode, store="float32")
-            steps = [row["step"] for row in float32("fast")]
-            lines.append([f"`{sweep}`", of(rows, sweep)[0]["parameter"], span(steps),
-                          failures(float32("fast")), envelope(float32("robust")), envelope(float32("double")),
-                          envelope(of(rows, sweep, mode="double", store="float64"))])
-        return table(["sweep", "parameter", "steps", "`fast` fails", "`robust`", "`double`", "`double`, float64 store"],
-                     lines)
+            of_mode = lambda mode, store="float32": of(rows, sweep, mode=mode, store=store)
+            judged = [row for row in of(rows, sweep) if row["mode"] in ("fast", "robust", "double")]
+            if not any(failed(row) for row in judged):
+                right.append(f"`{sweep}`")
+                continue
+            steps = span([row["step"] for row in of_mode("fast")])
+            lines.append([f"`{sweep}`", failures(of_mode("fast")), envelope(of_mode("robust"))])
+            if envelope(of_mode("double")) != steps:
+                beyond.append(f"`{sweep}` ({envelope(of_mode('double'))})")
+        return (table(["sweep", "`fast` fails", "`robust`"], lines) + f"\n\nNothing fails in {', '.join(right)}. "
+                f"`double` is within its envelope at every step{', but for ' if beyond else ''}{', '.join(beyond)}.")
 
     def first_cell():
         rows = [row for row in sweep_rows(results) if row["mode"] == "first-cell-hit"]
@@ -135,41 +140,37 @@ def tables(results):
             total = lambda what: sum(row[what] for row in some)
             return [f"{total('differing')} of {total('rays')}",
                     *(str(total(f"{who}_right")) for who in ("robust", "embree", "both", "neither"))]
-        lines = [[f"`{sweep}`", *(failures(of(rows, sweep, mode=mode, store="float32"))
-                                  for mode in ("fast", "embree", "embree-robust")), *sums(of(compared, sweep))]
-                 for sweep in names(row for row in rows if row["mode"] == "embree")]
-        lines.append(["all", "", "", "", *sums(compared)])
-        return table(["sweep", "`fast` fails", "`embree` fails", "`embree-robust` fails",
-                      "`robust`, `embree-robust` differ", "right: `robust`", "Embree", "both", "neither"], lines)
+        lines = [[f"`{sweep}`", *(failures(of(rows, sweep, mode=mode, store="float32")) for mode in ("embree", "embree-robust")),
+                  *sums(of(compared, sweep))]
+                 for sweep in names(row for row in rows if row["mode"].startswith("embree") and failed(row) > 0)]
+        lines.append(["all sweeps", "", "", *sums(compared)])
+        return table(["sweep", "`embree` fails", "`embree-robust` fails", "`robust`, `embree-robust` differ",
+                      "right: `robust`", "Embree", "both", "neither"], lines)
 
     def pictures():
         rows, lines = picture_rows(results), []
         for sweep in names(rows):
             local = lambda precision: of(rows, sweep, precision=precision, origin="local")
-            no_origin = lambda precision, store: of(rows, sweep, precision=precision, origin="none", store=store)
             steps = [row["step"] for row in local("double")]
             lines.append([f"`{sweep}`", f"{local('double')[0]['parameter']}, {span(steps)}",
                           *(pixels(local(precision)) for precision in ("fast", "robust", "auto", "double")),
-                          spans([row["step"] for row in local("double") if row["store"] == "float64"], steps),
-                          pixels(no_origin("robust", "float32")),
-                          span([row["step"] for row in no_origin("double", "float64")])])
-        return table(["sweep", "parameter", "`fast`", "`robust`", "`auto`", "`double`", "stored in float64",
-                      "without a local origin: `robust`", "stored in float64"], lines)
+                          spans([row["step"] for row in local("double") if row["store"] == "float64"], steps)])
+        return table(["sweep", "parameter", "`fast`", "`robust`", "`auto`", "`double`", "stored in float64"], lines)
 
     def oracle():
-        def row(text, kind, precision, *what):
-            cell = lambda s: [r for r in output("oracle", f"{s}.{kind}") if r["precision"] == precision][0]
-            return [text, *(figure(lambda: ", ".join(number(cell(s)[one]) for one in what), "{}") for s in STANDARD)]
-        wrong = "missed", "false", "wrong", "misplaced"
-        lines = [row(f"{where}: `{precision}`", kind, precision, *wrong)
-                 for kind, where in (("grid", "grid"), ("bvh", "hierarchy"))
-                 for precision in ("fast", "robust", "double")]
-        lines.append(row("grid: `first-cell-hit`", "first", "robust", *wrong))
-        for kind, where in (("grid", "grid"), ("bvh", "hierarchy")):
-            lines.append(row(f"{where}: `robust`, unsure", kind, "robust", "unsure"))
-            lines.append(row(f"{where}: `robust`, worst relative error of t", kind, "robust", "worst_t_error"))
-        count = figure(lambda: output("oracle", "balls.grid")[0]["rays"], "{:,}")
-        return f"{count} rays a scene:\n\n" + table(["missed, false, wrong, misplaced", *STANDARD], lines)
+        """Of all scenes; a hierarchy has a row of its own where its counts aren't those of the irregular grid."""
+        wrong = "missed", "false", "wrong", "misplaced", "unsure"
+        precisions = "fast", "robust", "double"
+
+        def counts(kind, precision):
+            cells = [row for s in STANDARD for row in output("oracle", f"{s}.{kind}") if row["precision"] == precision]
+            return [*(str(sum(cell[what] for cell in cells)) for what in wrong), number(max(cell["worst_t_error"] for cell in cells))]
+        lines = [[f"`{precision}`", *counts("grid", precision)] for precision in precisions]
+        lines += [[f"`{precision}`, hierarchy", *counts("bvh", precision)] for precision in precisions
+                  if counts("bvh", precision) != counts("grid", precision)]
+        lines.append(["`robust`, `first-cell-hit`", *counts("first", "robust")])
+        count = output("oracle", "balls.grid")[0]["rays"]
+        return table([f"{count:,} rays of each scene", *wrong, "worst relative error of t"], lines)
 
     structures = {("irregular", "exact"): "irregular grid", ("bvh", "exact"): "hierarchy"}
 
@@ -193,18 +194,20 @@ def tables(results):
                          "wrong primitives", "worst error of t", "picture RMSE", "largest"], lines))
 
     def cost():
+        """Least and most of the scenes, with the scenes' names."""
         rows = {(row["scene"], row["merge"], row["precision"]): row for row in structure_rows("tradeoff.csv")
                 if row["stop_rule"] == "proven"}
-        def line(merge, text, column, is_rate):
+
+        def span_of(merge, column, is_rate):
             def ratio(s):
                 double, robust = (float(rows[s, merge, precision][column]) for precision in ("double", "robust"))
                 return robust / double if is_rate else double / robust
-            return [f"{structures[merge, 'exact']}: `double` / `robust`, {text}",
-                    *(figure(lambda: ratio(s), "{:.2f}") for s in STANDARD)]
-        kinds = (("primary rays", "primary_mrays", True), ("random rays", "random_mrays", True),
-                 ("pictures", "picture_ms", False))
-        return table(["", *STANDARD],
-                     [line(merge, *kind) for merge, _ in structures for kind in kinds])
+            ratios = sorted((ratio(s), s) for s in STANDARD)
+            return "{:.2f} ({}) to {:.2f} ({})".format(*ratios[0], *ratios[-1])
+        kinds = ("primary_mrays", True), ("random_mrays", True), ("picture_ms", False)
+        return table(["", "primary rays", "random rays", "pictures"],
+                     [[structures[merge, "exact"], *(figure(lambda: span_of(merge, *kind), "{}") for kind in kinds)]
+                      for merge, _ in structures])
 
     def gpu():
         rows = [row for row in output("stability", "cuda") if "backends" in row]

@@ -66,8 +66,14 @@ def write_accuracy(results, folder):
 
 
 def draw_accuracy(folder):
+    """A panel for each sweep that fails; the document names the others."""
     for name, (title, floor) in ACCURACY.items():
-        plot("accuracy", folder, data=f"{name}.csv", out=f"{name}.png", title=f"{title} (lower is better)", floor=floor)
+        with open(folder / f"{name}.csv", newline="") as file:
+            head, *rows = csv.reader(file)
+        failing = {row[0] for row in rows if float(row[-1]) > 0}
+        with tempfile.NamedTemporaryFile("w", suffix=".csv", newline="") as data:
+            write_rows(data, head, [row for row in rows if row[0] in failing])
+            plot("accuracy", folder, data=data.name, out=f"{name}.png", title=f"{title} (lower is better)", floor=floor)
 
 
 def draw_peers(docs):

@@ -81,18 +81,28 @@ def head(results):
     return "\n".join(lines + [f"Failed: `{command}`" for command in failed])
 
 
+NOT_MEASURED = "Not measured: "
+
+
 def made_by(makers, without_gpu=()):
     """The table of each function by its name; a sentence instead where one can't be made."""
     made = {}
     for make in makers:
         if make in without_gpu:
-            made[make.__name__] = "Needs CUDA: left out."
+            made[make.__name__] = NOT_MEASURED + "needs CUDA."
             continue
         try:
             made[make.__name__] = make()
         except (LookupError, ValueError, TypeError) as missing:
-            made[make.__name__] = f"Not measured: {missing} is missing."
+            made[make.__name__] = f"{NOT_MEASURED}{missing} is missing."
     return made
+
+
+def labelled(text, machine):
+    """A table with the commit and the machine that it is from."""
+    if not text.startswith("|"):
+        return text
+    return f"Commit {machine['commit']}, {machine.get('device', machine['cpu'])}:\n\n{text}"
 
 
 def run_script(description, tables, gather_more=lambda results, folder: None):
@@ -107,10 +117,16 @@ def run_script(description, tables, gather_more=lambda results, folder: None):
         gather_more(results, given.gather)
         given.results.write_text(json.dumps(results, indent=1) + "\n")
     results = json.loads(given.results.read_text())
-    made = tables(results)
+    made = {name: labelled(text, results["machine"]) for name, text in tables(results).items()}
     mark = re.compile(r"(<!-- table (\w+) -->\n).*?\n?(<!-- end -->)", re.DOTALL)
+    def filled(found):
+        if made[found[2]].startswith(NOT_MEASURED):
+            print(f"{found[2]} stays: {made[found[2]]}", file=sys.stderr)
+            return found[0]
+        return found[1] + made[found[2]] + "\n" + found[3]
+
     for document in given.into:
-        document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + "\n" + found[3], document.read_text()))
+        document.write_text(mark.sub(filled, document.read_text()))
     if not given.into:
         print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))
 

@@ -55,7 +55,7 @@ prepare() {
 
 builds() {
   local name device run
-  for name in "${standard[@]}" "${large[@]}"; do
+  for name in "${large[@]}"; do
     for device in $devices; do
       for run in 1 2 3; do
         record builds "$name.$device.$run" gridbuild "$name.scene" -o "built.$device" --merge irregular \
@@ -175,7 +175,7 @@ hierarchies() {
 }
 cells() {
   for name in "${standard[@]}"; do
-    for grid in .none-{16,32,64,128,auto} .x-128 .balance-128 .irregular -bvh; do
+    for grid in .none-{16,32,64,auto} .irregular -bvh; do
       [ -e "$name$grid.grid" ] || continue
       record cells "$name$grid" gridrender "$name.scene" "$name$grid.grid" --backend cpu \
         --size "$(full 256x256 32x32)" --spd-rules --stats - -q

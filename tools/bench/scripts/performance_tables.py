@@ -2,7 +2,7 @@
 """The tables of what performance.sh measured.
 
 performance_tables.py RESULTS.json                  prints them as markdown
-performance_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
+performance_tables.py RESULTS.json --into FILE…     puts each that was measured between its marks in these documents:
                                                     <!-- table NAME --> … <!-- end -->
 performance_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of performance.sh's working folder first
 performance_tables.py RESULTS.json --fit            prints the unit costs (libgrid/structure/sampled_costs.cpp) by which the choice
@@ -246,7 +246,7 @@ def tables(results):
             stats = output("cells", f"{s}{grid}")
             rays = sum(stats[f"{kind}_rays"] for kind in ("eye", "reflection", "refraction", "shadow"))
             return (stats["cells_visited"] + sum(stats["intersection_tests"].values())) / rays
-        grids = [*(f".none-{n}" for n in (16, 32, 64, 128, "auto")), ".x-128", ".balance-128", ".irregular", "-bvh"]
+        grids = [*(f".none-{n}" for n in (16, 32, 64, "auto")), ".irregular", "-bvh"]
         rows = [[f"`{grid[1:].replace('-', ', ')}`", *(figure(lambda: cost(s, grid), "{:.1f}") for s in STANDARD)]
                 for grid in grids]
         return table(["`--merge`, `--division`", *STANDARD],
@@ -284,12 +284,11 @@ def tables(results):
             return sorted(of_this, key=lambda run: run["build_seconds"])[(len(of_this) - 1) // 2]
 
         def row(s):
-            parts = ("set_up", "upload", "build", "download")
             return [s, figure(lambda: primitives(s), "{:,}"),
-                    *(ms(lambda: middle(s, "cuda")["device_seconds"][part]) for part in parts),
+                    ms(lambda: middle(s, "cuda")["device_seconds"]["build"]),
                     *(ms(lambda: middle(s, where)["build_seconds"]) for where in ("cuda", "cpu", "one"))]
-        return table(["scene", "primitives", "set-up", "upload", "build", "download", "GPU, whole",
-                      f"{machine['cores']} cores", "one core"], [row(s) for s in STANDARD + LARGE])
+        return table(["scene", "primitives", "GPU, build", "GPU, with set-up and copies", f"{machine['cores']} cores",
+                      "one core"], [row(s) for s in LARGE])
 
     def middle_of(section, *keys):
         """Of the runs with these keys: the median of each of the seconds that the tool prints."""
@@ -315,22 +314,20 @@ def tables(results):
                      [row(s) for s in ("mount-8", "balls-5")])
 
     def embree():
-        """What masu_cpu_rays prints: of each set Masu's rate, Embree's and their ratio; of primary rays that of packets."""
+        """What masu_cpu_rays prints for one thread: Masu's rate, Embree's and their ratio; of primary rays that of packets."""
         def cells(text):
             found = {}
             for line in text.splitlines():
                 words = line.split()
-                if words[:1] and words[0] in ("primary", "diffuse", "random") and words[1] in ("1", "all") and words[-1] != "-":
+                if words[:1] and words[0] in ("primary", "diffuse", "random") and words[1] == "1" and words[-1] != "-":
                     who = "packets" if "packets" in words else "Embree" if words[2] == "Embree" else "Masu"
-                    found[words[1], words[0], who] = words[-2], words[-1]
-            for threads in ("1", "all"):
-                for kind in ("primary", "diffuse", "random"):
-                    ours, ratio = found.get((threads, kind, "Masu"), "--")
-                    yield f"{ours}, {found.get((threads, kind, 'Embree'), '-')[0]} ({ratio})"
-                    if kind == "primary":
-                        yield found.get((threads, kind, "packets"), "-")[0]
-        sets = ["primary", "packets", "diffuse", "random"]
-        return table(["scene", f"one core: {sets[0]}", *sets[1:], f"all cores: {sets[0]}", *sets[1:]],
+                    found[words[0], who] = words[-2], words[-1]
+            for kind in ("primary", "diffuse", "random"):
+                ours, ratio = found.get((kind, "Masu"), "--")
+                yield f"{ours}, {found.get((kind, 'Embree'), '-')[0]} ({ratio})"
+                if kind == "primary":
+                    yield found.get((kind, "packets"), "-")[0]
+        return table(["scene", "primary", "packets", "diffuse", "random"],
                      [[s, *cells(run["output"])] for s, run in runs["embree"].items() if "output" in run])
 
     def library():

@@ -36,8 +36,11 @@ Merit merit_of_picture(const TradeoffRow& row) {
 }
 
 std::vector<std::size_t> front_of(const std::vector<TradeoffRow>& rows, Merit (*merit)(const TradeoffRow&)) {
+  constexpr Merit worst{0, std::numeric_limits<double>::infinity()};
   std::vector<Merit> merits;
-  std::transform(rows.begin(), rows.end(), std::back_inserter(merits), merit);
+  std::transform(rows.begin(), rows.end(), std::back_inserter(merits), [&](const TradeoffRow& row) {
+    return row.configuration.stop == StopRule::proven ? merit(row) : worst;
+  });
   return pareto_front(merits);
 }
 

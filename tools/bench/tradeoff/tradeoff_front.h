@@ -26,7 +26,8 @@ Merit merit_of_hits(const TradeoffRow& row);
 // Pictures: pictures a second, and the RMSE.
 Merit merit_of_picture(const TradeoffRow& row);
 
-// The front of rows by one of these.
+// The front of rows by one of these. Rows that stop at the first cell hit are never on it: where their hits
+// are right, that is by chance.
 std::vector<std::size_t> front_of(const std::vector<TradeoffRow>& rows, Merit (*merit)(const TradeoffRow&));
 
 // The mean over scenes, which are distinguished by name: one row, of a scene named `all`, for each

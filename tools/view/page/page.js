@@ -13,7 +13,7 @@ const state = {
   pointer: null,         // over a picture: shares of it
   picking: null,         // the cross hair: {pane, x, y}, shares of the picture
 };
-let slicePanel = null, walkPanel = null, planeView = null, colors = null, scales = null;
+let slicePanel = null, walkPanel = null, planeView = null, colors = null, listColors = null, scales = null;
 const MOST_SLICES = 4;
 let source = null;
 
@@ -247,11 +247,12 @@ async function begin() {
   state.scene = await source.scene();
   state.scene.channels = state.scene.channels.filter((channel) => source.isLive || channel !== 'cut');
   colors = new ColorScale(state.scene.colors);
+  listColors = new ColorScale(state.scene.list_colors).reversed(); // light is few
   scales = new Scales(colors);
   describeScene();
   slicePanel = new SlicePanel($('slice'), source, state.slice, () => panes.filter((pane) => pane.isCut).forEach((pane) => pane.update()), drawOverlays);
   walkPanel = new WalkPanel($('walk'), source, () => planeView && drawOverlays(), (point) => setCamera(Camera.centered(state.camera, point)));
-  planeView = new PlaneView($('planes'), state.scene, source, colors, slicePanel, walkPanel, (index, grid) => {
+  planeView = new PlaneView($('planes'), state.scene, source, listColors, slicePanel, walkPanel, (index, grid) => {
     state.plane[index] = grid;
     $('missing').hidden = true;
     update();

@@ -121,11 +121,11 @@ class Pane {
       if (slice) {
         const cells = slicePanel.cellsOf(this.settings.grid);
         if (this.isCut)
-          for (const [color, polygons] of sliceColors(slice, cells, colors.reversed(), slicePanel.most())) overlay.fill(polygons, color, 0.85);
+          for (const [color, polygons] of sliceColors(slice, cells, listColors, slicePanel.most())) overlay.fill(polygons, color, 0.85);
         const boxes = cells.slice(0, 20000).map((cell) => sliceBox(slice, cell));
         overlay.boxes(boxes, '#000', this.isCut ? 0.8 : 1.8, 0.4);
         if (!this.isCut) overlay.boxes(boxes, '#fff', 0.8, 0.75);
-        overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), '#ff7a1a', 1.6);
+        overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), OUTLINE, 1.6);
       }
     }
     const boxes = this.settings.cells === 'boxes' && slicePanel.boxesOf(this.settings.grid);
@@ -180,7 +180,7 @@ class Pane {
     this.scale.hidden = !(isNumber || this.isCut) || !isFirst;
     if (this.scale.hidden) return;
     const {low, high, isLogarithmic} = this.isCut ? {low: 1, high: slicePanel.most(), isLogarithmic: true} : scales.of(channel);
-    this.scale.querySelector('.colors').style.backgroundImage = (this.isCut ? colors.reversed() : colors).gradient();
+    this.scale.querySelector('.colors').style.backgroundImage = (this.isCut ? listColors : colors).gradient();
     this.scale.querySelector('.low').textContent = `${{idle: 'idle lanes', cut: 'references'}[channel] || channel} ${this.isCut ? low : Text.number(low)}`;
     this.scale.querySelector('.high').textContent = `${channel === 'depth' ? Text.number(high) : Text.count(high)}${COUNTS.includes(channel) ? ' and more' : ''}${isLogarithmic ? ', log' : ''}`;
   }

@@ -3,8 +3,12 @@
 'use strict';
 
 const BOXES_PER_NODE = 8; // as a box's number says its node and slot
-const KIN = '#7c3aed'; // boxes around the one under the pointer, and those in it
-const FATES = {met: '#1a7f37', missed: '#6b6b66', beyond: '#c2410c'};
+// One meaning a colour: cells and boxes that list primitives are violet (listColors).
+const OUTLINE = '#dc2626'; // of the geometry
+const VISITED = '#0b5cad', CURRENT = '#ffc61a', RAY = '#c2185b';
+const FATES = {met: '#1a7f37', missed: '#6b6b66', beyond: '#e07b00'};
+const KIN = '#1d1d1b'; // boxes around the one under the pointer, and those in it
+const LEGEND = [['visited', VISITED], ['current', CURRENT], ['boxes met', FATES.met], ['missed', FATES.missed], ['beyond the hit', FATES.beyond], ['geometry', OUTLINE]];
 
 // Of a hierarchy's box: those around it, from the nearest on, and those of the node in it.
 function kin(cells, [, , , , , , inner, number]) {
@@ -77,7 +81,7 @@ class SlicePlot {
       outline.moveTo(at.x(u0), at.y(v0));
       outline.lineTo(at.x(u1), at.y(v1));
     }
-    context.strokeStyle = '#d9480f';
+    context.strokeStyle = OUTLINE;
     context.lineWidth = 1.4 * this.pixel;
     context.stroke(outline);
   }
@@ -108,13 +112,13 @@ class SlicePlot {
       const visited = ray.steps.slice(0, step + 1).map(({box}) => box);
       context.fillStyle = 'rgba(40, 130, 255, 0.16)';
       for (const box of visited) context.fillRect(...rectangle(box)); // darker where boxes overlap
-      stroke(pathOf(visited), '#0b5cad', 1.4);
+      stroke(pathOf(visited), VISITED, 1.4);
       // What becomes of the boxes of a hierarchy's node; those that the plane doesn't cut are missed.
       for (const [fate, boxes] of Object.entries(this.fates(slice, cells, ray, step)))
         stroke(pathOf(boxes), FATES[fate], 2, fate === 'met' ? [] : [4 * pixel, 3 * pixel]);
       const current = pathOf(ray.steps[step] ? [ray.steps[step].box] : []);
       stroke(current, '#000', 5);
-      stroke(current, '#ffc61a', 3);
+      stroke(current, CURRENT, 3);
     }
     if (this.hovered && this.isHierarchy) {
       const {around, within} = kin(slice.cells, this.hovered);
@@ -124,7 +128,7 @@ class SlicePlot {
         stroke(path([box]), KIN, 2);
       });
       context.globalAlpha = 1;
-      context.fillStyle = 'rgba(124, 58, 237, 0.12)';
+      context.fillStyle = 'rgba(0, 0, 0, 0.10)';
       context.fill(path(within));
       stroke(path(within), KIN, 1.2, [4 * pixel, 3 * pixel]);
       stroke(path([this.hovered]), KIN, 3.5);
@@ -138,8 +142,8 @@ class SlicePlot {
       const t = isEnd && ray.hit ? ray.hit.t : last ? last.exit ?? last.enter : 0;
       const end = [i, j].map((axis) => ray.origin[axis] + t * ray.direction[axis]);
       stroke(segment(ends.from, end), '#fff', 4);
-      stroke(segment(ends.from, end), '#c2185b', 2.2);
-      if (isEnd && ray.hit) this.dot(context, at.x(ray.hit.position[i]), at.y(ray.hit.position[j]), 4.5, '#c2185b');
+      stroke(segment(ends.from, end), RAY, 2.2);
+      if (isEnd && ray.hit) this.dot(context, at.x(ray.hit.position[i]), at.y(ray.hit.position[j]), 4.5, RAY);
     }
     this.dot(context, at.x(ends.from[0]), at.y(ends.from[1]), 7, '#1d1d1b');
     this.arrow(context, at, ends);
@@ -191,7 +195,7 @@ class SlicePlot {
 class PlaneView {
   // scene: as /api/scene has it; choose(index, grid): another structure for a slice; zoomChanged().
   constructor(root, scene, source, colors, slicePanel, walkPanel, choose, zoomChanged) {
-    Object.assign(this, {root, scene, source, colors: colors.reversed(), slicePanel, walkPanel, choose, zoomChanged,
+    Object.assign(this, {root, scene, source, colors, slicePanel, walkPanel, choose, zoomChanged,
       plots: [], grids: [], zoom: null, ends: null, wish: null, isFollowing: false});
     this.step = element('input', {class: 'step', type: 'range', min: 0, 'aria-label': 'Step of the walks',
       oninput: () => walkPanel.select(Number(this.step.value))});
@@ -206,7 +210,12 @@ class PlaneView {
         element('button', {type: 'button', title: 'Every walk a step back (,)', onclick: () => walkPanel.move(-1)}, '◂'),
         element('button', {type: 'button', title: 'Every walk a step on (.)', onclick: () => walkPanel.move(1)}, '▸'),
         this.step, this.stepText),
-      element('div', {class: 'slice-scale'}, 'references 1', this.scaleColors, this.most)), this.list);
+      element('div', {class: 'slice-scale'}, 'references 1', this.scaleColors, this.most),
+      element('div', {class: 'legend'}, ...LEGEND.map(([name, color]) => {
+        const item = element('span', {}, name);
+        item.style.setProperty('--swatch', color);
+        return item;
+      }))), this.list);
     this.resized = new ResizeObserver(() => this.draw());
   }
 
