@@ -93,8 +93,7 @@ class Tracer(Resource):
     """A scene and its grid on a device, for queries until it is closed; also a context manager.
 
     Without a grid what answers soonest is built on the device: scene.build(structure="bvh", quality="fast"), or a grid
-    where the scene is too large for a hierarchy. Whoever traces thousands of millions of rays builds one of quality
-    "high". brute_force: instead of that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the first GPU;
+    where the scene is too large for a hierarchy. brute_force: instead of that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the first GPU;
     "cuda:N" or N, the GPU of that number, from 0; or a list of such GPUs, which share arrays in host memory. Raises
     masu.Error.
 
