@@ -15,7 +15,7 @@ BuildOptions build_options(const masu_build_options& from) {
   require_range(from.step_cost, 0, 1000, "step_cost");
   require_range(from.detail, 0.1, 100, "detail");
   require_range(from.nested, 0, 15, "nested");
-  require_range(from.expansions, 0, 64, "expansions");
+  require_range(from.expand, 0, 64, "expand");
   require_range(from.device, MASU_CPU, 1 << 20, "device");
   BuildOptions options;
   constexpr StructureKind merges[] = {StructureKind::automatic, StructureKind::uniform, StructureKind::x,
@@ -25,7 +25,7 @@ BuildOptions build_options(const masu_build_options& from) {
   const StructureKind kind = kind_of(choice<StructureChoice>(from.structure, 4, "structure"),
                                      merges[choice<int>(from.merge, 5, "merge")], options.division, quality);
   options.structure = {kind,        from.target, from.alpha,     from.step_cost,
-                       from.detail, from.nested, from.expansions};
+                       from.detail, from.nested, from.expand};
   options.structure.quality = quality;
   options.space = from.cube_space != 0 ? SpaceRule::cube : SpaceRule::tight;
   options.overlap = from.box_overlap != 0 ? Overlap::box : Overlap::exact;
@@ -44,7 +44,7 @@ masu_build_options default_options() {
   options.step_cost = defaults.step_cost;
   options.detail = defaults.detail;
   options.nested = defaults.nested_log2;
-  options.expansions = defaults.expansions;
+  options.expand = defaults.expand;
   options.device = MASU_CPU;
   return options;
 }

@@ -205,7 +205,7 @@ typedef struct masu_build_options {
   int cube_space; /* not 0: the smallest cube about the origin is divided, else the primitives' bounds */
   double alpha, step_cost, detail;
   uint32_t target;
-  int nested, expansions;
+  int nested, expand;
   int device;  /* where to build: a GPU's number, or MASU_CPU; the grid is the same */
   int threads; /* 0: all cores */
   int for_cpu; /* not 0: what is chosen automatically is chosen for tracing on a CPU, else on a GPU */

@@ -180,7 +180,7 @@ void add_options(const CommandLine& command, Settings& settings) {
                      "irregular: planes no closer than a primitive's typical extent divided by this");
   command.add_number("--alpha", settings.options.structure.alpha, 0.0, 1.0,
                      "irregular: divide while that makes the expected cost less than alpha times what it is");
-  command.add_number("--expand", settings.options.structure.expansions, 0, 64,
+  command.add_number("--expand", settings.options.structure.expand, 0, 64,
                      "irregular: rounds of expanding cells over neighbours that list nothing else");
   command.group("General");
   command.add_choice(

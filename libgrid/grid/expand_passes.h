@@ -135,18 +135,18 @@ void expand_along(Executor& executor, const MergedGridView<double>& grid, const 
 // `grid` is a view of what `cells` are the cells of, in the executor's memory.
 template <class Executor>
 void expand_cells(Executor& executor, const MergedGridView<double>& grid, std::uint64_t count,
-                  MergedCell* cells, int expansions) {
-  if (expansions == 0) return;
+                  MergedCell* cells, int rounds) {
+  if (rounds == 0) return;
   auto neighbours = executor.template array<Neighbour>(count);
   auto blocked = executor.template zeros<std::uint8_t>(count);
   Neighbour* const neighbour = neighbours.data();
   executor.for_each(
       count, [=] MASU_PASS(std::uint64_t i) { neighbour[i] = as_neighbour(cells[i], grid.references); });
-  for (int pass = 0; pass < expansions; ++pass) {
+  for (int pass = 0; pass < rounds; ++pass) {
     expand_along<0>(executor, grid, neighbour, count, cells, blocked.data());
     expand_along<1>(executor, grid, neighbour, count, cells, blocked.data());
     expand_along<2>(executor, grid, neighbour, count, cells, blocked.data());
-    if (pass + 1 == expansions) break;
+    if (pass + 1 == rounds) break;
     executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { set_expanded(neighbour[i], cells[i]); });
   }
 }
@@ -156,6 +156,6 @@ template <bool parallel>
 class HostExecutor;
 using TbbExecutor = HostExecutor<true>;
 void expand_cells(TbbExecutor& executor, const MergedGridView<double>& grid, std::uint64_t count,
-                  MergedCell* cells, int expansions);
+                  MergedCell* cells, int rounds);
 
 } // namespace masu

@@ -400,7 +400,7 @@ ExecutorStructure<Executor> merged_grid(Executor& executor, const SceneView<Stor
   pairs.reset();
   if (grid.exceeded == nullptr && irregular)
     expand_cells(executor, merged_view_of<double>(grid), grid.cells.size(), grid.cells.data(),
-                 options.expansions);
+                 options.expand);
   return grid;
 }
 

@@ -50,7 +50,7 @@ std::string merge_text(const Structure& grid, const StructureOptions& options) {
     return fmt::format("balance target {}", options.target);
   case StructureKind::irregular:
     return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
-                       grid.detail, options.step_cost, options.alpha, options.expansions);
+                       grid.detail, options.step_cost, options.alpha, options.expand);
   case StructureKind::uniform:
   case StructureKind::hierarchy:
   case StructureKind::automatic:

@@ -30,7 +30,7 @@ struct StructureOptions {
   double step_cost = 5;     // irregular: of the step to a cell, in intersection tests (unit_costs.h)
   double detail = 3;        // irregular: planes no closer than a primitive's typical extent over this
   std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis
-  int expansions = 4;           // irregular: rounds of expansion; 0 for none
+  int expand = 4;               // irregular: rounds of expansion; 0 for none
   // irregular: where one of the limits below is exceeded, half of the detail is tried, as long as that is no
   // less than this. It takes a third of the words, and hardly adds references.
   double least_detail = 0.1;

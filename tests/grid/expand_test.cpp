@@ -91,7 +91,7 @@ TEST_F(Stretch, MovesFacesAsDefined) {
     TestScene<float> scene = SceneMaker<float>(chance_, chance_.power_of_two(-10, 20)).scene();
     StructureOptions options = random_grid_options(chance_);
     options.kind = StructureKind::irregular;
-    options.expansions = 0;
+    options.expand = 0;
     GridLayout layout = random_layout<float>(chance_, scene.bounds());
     layout.division = random_division(chance_, 12);
     Structure slow = build_structure(scene.view(), layout, any_overlap(chance_), options);

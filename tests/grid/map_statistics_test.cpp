@@ -22,7 +22,7 @@ StructureOptions random_rule(Chance& chance) {
   options.target = static_cast<std::uint32_t>(chance.whole(1, 6));
   options.step_cost = chance.uniform(0.1, 4);
   options.nested_log2 = chance.whole(0, 4);
-  options.expansions = chance.whole(0, 3);
+  options.expand = chance.whole(0, 3);
   return options;
 }
 

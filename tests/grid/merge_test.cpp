@@ -235,7 +235,7 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
       cases(200),
       [&](auto&, RandomCase& by) {
         by.options.kind = StructureKind::irregular;
-        by.options.expansions = this->chance_.one_of({1, 2, 6, 40});
+        by.options.expand = this->chance_.one_of({1, 2, 6, 40});
       },
       [&](auto& scene, const RandomCase& by, const Structure& grid, const Cells& cells) {
         const Lists needed = needed_lists(scene, finest_layout(grid), by.overlap);
@@ -257,7 +257,7 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
 
 TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
   this->for_random_grids(
-      cases(200), [](auto&, RandomCase& by) { by.options.expansions = 0; },
+      cases(200), [](auto&, RandomCase& by) { by.options.expand = 0; },
       [](auto&, const RandomCase&, const Structure& grid, const Cells& cells) {
         for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
           ASSERT_TRUE(cells.boxes[cell].first == cells.own[cell].first &&

@@ -100,7 +100,7 @@ class GeometryRecord(ctypes.Structure):
 class BuildOptionsRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("structure", c_int), ("merge", c_int), ("division", c_char_p),
                 ("box_overlap", c_int), ("cube_space", c_int), ("alpha", c_double), ("step_cost", c_double),
-                ("detail", c_double), ("target", c_uint32), ("nested", c_int), ("expansions", c_int), ("device", c_int),
+                ("detail", c_double), ("target", c_uint32), ("nested", c_int), ("expand", c_int), ("device", c_int),
                 ("threads", c_int), ("for_cpu", c_int), ("quality", c_int), ("reserved", c_int), *_GO_ON]
 
 

@@ -238,7 +238,7 @@ class Scene(Resource):
     def build(self, *, structure: str = "auto", merge: str = "auto", division: Union[str, int, Sequence[int], None] = None,
               quality: str = "high", box_overlap: bool = False, cube_space: bool = False, target: Optional[int] = None,
               alpha: Optional[float] = None, step_cost: Optional[float] = None, detail: Optional[float] = None,
-              nested: Optional[int] = None, expansions: Optional[int] = None, device: Union[str, int, Any] = "cpu",
+              nested: Optional[int] = None, expand: Optional[int] = None, device: Union[str, int, Any] = "cpu",
               threads: int = 0, for_cpu: bool = False, progress: Progress = None) -> "Grid":
         """A grid of the scene. The options are gridbuild's; None is the default.
 
@@ -247,7 +247,7 @@ class Scene(Resource):
         "none", "x", "balance" or "irregular"; division: "auto", 64, (64, 64, 32), "cleary:1", …; quality: of a hierarchy,
         "high", or "fast", which takes a third of the time; box_overlap: a voxel lists the primitives whose bounding
         box meets it, not their surface; cube_space: the smallest cube about the origin is divided, not the primitives'
-        bounds; target, alpha, step_cost, detail, nested, expansions: of merged and irregular grids; device: where to build,
+        bounds; target, alpha, step_cost, detail, nested, expand: of merged and irregular grids; device: where to build,
         "cpu", "cuda" or a GPU's number; threads: 0 for all cores; for_cpu: what is chosen automatically is chosen for
         tracing on a CPU, not on a GPU; progress: a function that gets the share of the work that is done, from 0 to 1, about
         every tenth of a second. What it raises, or the handler of a signal, as KeyboardInterrupt, ends the build."""
@@ -339,7 +339,7 @@ class Grid(Resource):
         options.device = device_number(given["device"])
         for name in ("box_overlap", "cube_space", "for_cpu"):
             setattr(options, name, int(bool(given[name])))
-        for name, largest in (("target", 2**32 - 1), ("nested", 2**31 - 1), ("expansions", 2**31 - 1),
+        for name, largest in (("target", 2**32 - 1), ("nested", 2**31 - 1), ("expand", 2**31 - 1),
                               ("threads", 2**31 - 1)):
             if given[name] is not None:
                 if not 0 <= operator.index(given[name]) <= largest:  # ctypes would keep its low bits
