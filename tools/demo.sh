@@ -10,7 +10,7 @@ find_cuda
 
 echo "== building the programs: some three minutes on two cores"
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=OFF "${cuda_options[@]}" \
-  -- --target nffgen nff2bin gridbuild gridstat gridrender
+  -- --target nffgen nff2bin gridbuild gridstat gridrender masu_shared # the library: for Python
 for program in mesh2bin gridview; do # of a mesh of one's own, where what they need was found
   if cmake --build build --target help | grep -qE "\b$program\b"; then build build -- --target $program; fi
 done
