@@ -2,6 +2,10 @@
 
 #include "libgrid/grid/overlap/clipped_bounds.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/hierarchy/split_lanes.h"
+#ifdef MASU_HOST_AVX2
+#include "libgrid/grid/overlap/clipped_lanes.h"
+#endif
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
@@ -16,101 +20,166 @@ namespace masu {
 
 namespace {
 
-HierarchyFragment fragment_of(const Boxf& box, PrimitiveIndex primitive) {
-  HierarchyFragment fragment;
-  fragment.box.low = Lanes{box.min.x, box.min.y, box.min.z, float_of(primitive)};
-  fragment.box.high = Lanes{box.max.x, box.max.y, box.max.z, 0};
-  return fragment;
-}
+constexpr int most_bins = 32, bins_in_space = 16;
 
 bool holds_something(const LaneBox& box) {
   return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
 }
+LaneBox common(const LaneBox& a, const LaneBox& b) {
+  return {larger(a.low, b.low), smaller(a.high, b.high)};
+}
 
-// Fragments that are in a node, and room for more after them.
+bool same(const Boxf& a, const Boxf& b) {
+  return a.min == b.min && a.max == b.max;
+}
+
+// Fragments that are in a node, and places in memory after them. `room`: how many more they may become.
 struct FragmentRange {
-  std::uint32_t first, count, room;
+  HierarchyFragment* first;
+  std::uint32_t count, places, room;
+
+  HierarchyFragment* begin() const { return first; }
+  HierarchyFragment* end() const { return first + count; }
 };
 
-constexpr int most_bins = 32;
+struct Extent {
+  LaneBox box, centres;
 
-// What a bin holds. By centre: the fragments whose centres are in it, as many begin as end. By space: the
-// parts in it of fragments, of which so many begin and end there.
-struct Bin {
-  LaneBox box;
-  std::uint32_t begin = 0, end = 0;
+  void add(const HierarchyFragment& fragment) {
+    box.join(fragment.box);
+    const Lanes4 centre = fragment.centre();
+    centres.join({centre, centre});
+  }
+  void join(const Extent& other) {
+    box.join(other.box);
+    centres.join(other.centres);
+  }
 };
+
+// By centre: the fragments whose centres are in a bin, as many begin as end. By space: the parts in it of
+// fragments.
 struct Bins {
-  std::array<std::array<Bin, most_bins>, 3> axes{};
+  AxisBin of[most_bins];
+  int count;
 
-  Bin& at(int axis, int bin) { return axes[static_cast<unsigned>(axis)][static_cast<unsigned>(bin)]; }
-  const Bin& at(int axis, int bin) const {
-    return axes[static_cast<unsigned>(axis)][static_cast<unsigned>(bin)];
+  explicit Bins(int count_) : count(count_) {
+    for (int i = 0; i < count; ++i)
+      of[i].clear();
   }
   void join(const Bins& other) {
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      for (unsigned i = 0; i < most_bins; ++i) {
-        axes[axis][i].box.join(other.axes[axis][i].box);
-        axes[axis][i].begin += other.axes[axis][i].begin;
-        axes[axis][i].end += other.axes[axis][i].end;
-      }
-    }
+    for (int i = 0; i < count; ++i)
+      of[i].join(other.of[i]);
   }
 };
 
 // How a box is divided into bins along each axis.
 struct Binning {
-  Lanes low, unit, bins_per_unit{};
+  Lanes4 low, unit, bins_per_unit{};
   int bins;
 
   Binning(const LaneBox& box, int bins_)
       : low(box.low), unit((box.high - box.low) / static_cast<float>(bins_)), bins(bins_) {
+    low[3] = 1; // far from numbers so small that arithmetic is slow
     for (int axis = 0; axis < 3; ++axis) {
       const float scale = static_cast<float>(bins) * 0.99999F / (box.high[axis] - box.low[axis]);
       bins_per_unit[axis] = box.high[axis] > box.low[axis] && std::isfinite(scale) ? scale : 0;
     }
   }
-  int bin(const Lanes& place, int axis) const {
-    return std::clamp(static_cast<int>((place[axis] - low[axis]) * bins_per_unit[axis]), 0, bins - 1);
+  WholeLanes4 bins_of(Lanes4 place) const {
+    WholeLanes4 in = __builtin_convertvector((place - low) * bins_per_unit, WholeLanes4);
+    in = in < 0 ? WholeLanes4{} : in;
+    return in >= bins ? WholeLanes4{} + (bins - 1) : in;
   }
   // That ends a bin.
-  float plane(int axis, int bin_) const { return low[axis] + unit[axis] * static_cast<float>(bin_ + 1); }
+  float plane(int axis, int bin) const { return low[axis] + unit[axis] * static_cast<float>(bin + 1); }
+  Lanes4 planes(WholeLanes4 bin) const { return low + unit * __builtin_convertvector(bin + 1, Lanes4); }
 };
 
-struct Split {
+struct ObjectSplit {
   float cost = INFINITY;
   int axis = -1; // none: everything is in one place
   int bin = 0;   // the last one that goes left
   LaneBox left, right;
 };
 
-Split best_split(const Bins& bins, int count) {
-  Split best;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::array<Bin, most_bins> right{}; // of all from a bin on
-    Bin so_far;
-    for (int i = count - 1; i > 0; --i) {
-      so_far.box.join(bins.at(axis, i).box);
-      so_far.end += bins.at(axis, i).end;
-      right[static_cast<unsigned>(i)] = so_far;
-    }
-    Bin left;
-    for (int i = 0; i + 1 < count; ++i) {
-      left.box.join(bins.at(axis, i).box);
-      left.begin += bins.at(axis, i).begin;
-      const Bin& beyond = right[static_cast<unsigned>(i) + 1];
-      if (left.begin == 0 || beyond.end == 0) continue;
-      const float cost = left.box.area() * static_cast<float>(left.begin) +
-                         beyond.box.area() * static_cast<float>(beyond.end);
-      if (cost < best.cost) best = {cost, axis, i, left.box, beyond.box};
-    }
-  }
-  return best;
+// The bounds of what of a primitive lies on either side of a plane, with the margin.
+struct Sides {
+  LaneBox below, above;
+};
+template <class Primitive>
+Sides sides_with_margin(const Primitive& primitive, int axis, double plane, double margin) {
+  const auto part = [&](const Boxd& bounds) {
+    if (is_empty(bounds)) return LaneBox{};
+    const Boxf box = box_around(bounds, margin);
+    return LaneBox{Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
+  };
+  const ClippedBounds sides = sides_of(primitive, axis, plane, plane);
+  return {part(sides.below), part(sides.above)};
 }
 
-LaneBox common(const LaneBox& a, const LaneBox& b) {
-  return {larger(a.low, b.low), smaller(a.high, b.high)};
+// Cuts what is left of a fragment across an axis where a bin ends, and adds to the bin what lies in it.
+void cut_off(const Sides& primitive, int axis, LaneBox& rest, AxisBin& bin) {
+  const LaneBox below = common(primitive.below, rest);
+  if (holds_something(below)) bin.join(axis, below);
+  rest = common(primitive.above, rest);
 }
+
+// The same for each of the bins from `first` to before `last`, across each axis.
+template <class Primitive>
+void cut_off_all(const Primitive& primitive, const Binning& binning, WholeLanes4 first, WholeLanes4 last,
+                 double margin, LaneBox (&rest)[3], Bins& bins) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int bin = first[axis]; bin < last[axis]; ++bin)
+      cut_off(sides_with_margin(primitive, axis, binning.plane(axis, bin), margin), axis, rest[axis],
+              bins.of[bin]);
+}
+
+#ifdef MASU_HOST_AVX2
+// The boxes of four lanes, with the margin; of an empty one a box that holds nothing.
+void boxes_with_margin(const Box<Doubles4>& bounds, double margin, LaneBox (&boxes)[4]) {
+  const auto transpose = [](__m128 x, __m128 y, __m128 z, const auto& put) {
+    __m128 w = _mm_setzero_ps();
+    _MM_TRANSPOSE4_PS(x, y, z, w);
+    put(0, x);
+    put(1, y);
+    put(2, z);
+    put(3, w);
+  };
+  transpose(rounded_down(bounds.min.x - margin), rounded_down(bounds.min.y - margin),
+            rounded_down(bounds.min.z - margin), [&](int i, Lanes4 low) { boxes[i].low = low; });
+  transpose(rounded_up(bounds.max.x + margin), rounded_up(bounds.max.y + margin),
+            rounded_up(bounds.max.z + margin), [&](int i, Lanes4 high) { boxes[i].high = high; });
+}
+
+// By four planes at once.
+__attribute__((flatten)) void cut_off_all(const Triangle<double>& triangle, const Binning& binning,
+                                          WholeLanes4 first, WholeLanes4 last, double margin,
+                                          LaneBox (&rest)[3], Bins& bins) {
+  int axes[4], ends[4], count = 0;
+  double planes[4];
+  const auto cut = [&] {
+    const Doubles4 at = _mm256_loadu_pd(planes);
+    const ClippedBoundsOf<Doubles4> sides = sides_of(triangle, LaneAxes(axes), at, at);
+    LaneBox below[4], above[4];
+    boxes_with_margin(sides.below, margin, below);
+    boxes_with_margin(sides.above, margin, above);
+    for (int i = 0; i < count; ++i)
+      cut_off({below[i], above[i]}, axes[i], rest[axes[i]], bins.of[ends[i]]);
+    count = 0;
+  };
+  std::fill_n(axes, 4, 0);
+  std::fill_n(planes, 4, 0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int bin = first[axis]; bin < last[axis]; ++bin) {
+      axes[count] = axis;
+      ends[count] = bin;
+      planes[count++] = binning.plane(axis, bin);
+      if (count == 4) cut();
+    }
+  }
+  if (count > 0) cut();
+}
+#endif
 
 // Where the boxes of the best object split overlap by less than this share of the root's surface, a spatial
 // one isn't tried.
@@ -119,22 +188,31 @@ constexpr float overlap_worth_splitting = 1e-4F;
 template <class Stored>
 class BinaryBuilder {
 public:
-  BinaryBuilder(const SceneView<Stored>& scene, double margin, const HostArray<BinaryNode>& leaves,
+  BinaryBuilder(const SceneView<Stored>& scene, double margin, HostArray<BinaryNode> leaves,
                 ProgressMonitor* progress)
       : scene_(scene), margin_(margin), progress_(progress),
-        count_(static_cast<std::uint32_t>(leaves.size())),
-        fragments_(static_cast<std::size_t>((1 + spare_fragments) * count_)), nodes_(2 * fragments_.size()),
-        choices_(nodes_.size()), costs_(nodes_.size()) {
+        count_(static_cast<std::uint32_t>(leaves.size())), fragments_(places_for(count_)),
+        nodes_(2 * static_cast<std::size_t>((1 + spare_fragments) * static_cast<double>(count_))),
+        choices_(nodes_.size()) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 4096), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
-        fragments_[i] = fragment_of(leaves[i].box(), leaves[i].index);
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        const BinaryNode& leaf = leaves[i];
+        fragments_[i].box.low = Lanes4{leaf.min.x, leaf.min.y, leaf.min.z, float_of(leaf.index)};
+        const bool is_whole = leaf.index < scene_.triangle_count &&
+                              same(leaf.box(), box_of_primitive(scene_, leaf.index, margin_));
+        fragments_[i].box.high = Lanes4{leaf.max.x, leaf.max.y, leaf.max.z, is_whole ? 1.0F : 0.0F};
+      }
     });
   }
 
   BinaryHierarchy<TbbExecutor> build() {
-    const FragmentRange all{0, count_, static_cast<std::uint32_t>(fragments_.size()) - count_};
-    if (all.count == 0) return {};
-    root_area_ = extent_of(all).box.area();
+    if (count_ == 0) return {};
+    const FragmentRange all{fragments_.data(), count_, static_cast<std::uint32_t>(fragments_.size()) - count_,
+                            static_cast<std::uint32_t>(nodes_.size() / 2) - count_};
+    const LaneBox root = extent_of(all).box;
+    root_area_ = root.area();
+    const Lanes4 reach = larger(-root.low, root.high);
+    slack_ = static_cast<float>(4 * margin_) + 0x1p-20F * std::max({reach[0], reach[1], reach[2]});
     split(0, all, 0);
     return {std::move(nodes_), std::move(choices_)};
   }
@@ -142,143 +220,222 @@ public:
 private:
   static constexpr std::uint32_t fragments_per_task = 1 << 14, fragments_per_check = 1 << 12;
 
-  // Adds up what add(Result&, fragment) makes of each, in parallel for many; join(a, b) in any order.
-  template <class Result, class Add, class Join>
-  Result summed(const FragmentRange& range, const Add& add, const Join& join) const {
-    const auto added = [&](std::uint32_t begin, std::uint32_t end, Result& sum) {
-      for (std::uint32_t i = begin; i != end; ++i) {
+  // With some for fragments that are added: a range that needs more moves elsewhere.
+  static std::size_t places_for(std::uint32_t count) { return std::size_t{count} + count / 4; }
+
+  // Adds to `sum` what add(sum, fragment) makes of each, in parallel for many; joins in any order.
+  template <class Sum, class Add>
+  Sum summed(const FragmentRange& range, const Sum& none, const Add& add) const {
+    const auto added = [&](const HierarchyFragment* begin, const HierarchyFragment* end, Sum& sum) {
+      for (std::uint32_t i = 1; begin != end; ++begin, ++i) {
         if (i % fragments_per_check == 0) check_progress(progress_);
-        add(sum, fragments_[i]);
+        add(sum, *begin);
       }
     };
-    Result sum{};
     if (range.count <= fragments_per_task) {
-      added(range.first, range.first + range.count, sum);
+      Sum sum = none;
+      added(range.begin(), range.end(), sum);
       return sum;
     }
     return tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(range.first, range.first + range.count, fragments_per_task), sum,
-        [&](const auto& part, Result so_far) {
+        tbb::blocked_range<const HierarchyFragment*>(range.begin(), range.end(), fragments_per_task), none,
+        [&](const auto& part, Sum so_far) {
           added(part.begin(), part.end(), so_far);
           return so_far;
         },
-        [&](Result a, const Result& b) {
-          join(a, b);
+        [&](Sum a, const Sum& b) {
+          a.join(b);
           return a;
         });
   }
 
-  struct Extent {
-    LaneBox box, centres;
-  };
   Extent extent_of(const FragmentRange& range) const {
-    return summed<Extent>(
-        range,
-        [](Extent& extent, const HierarchyFragment& fragment) {
-          extent.box.join(fragment.box);
-          const Lanes centre = fragment.centre();
-          extent.centres.join({centre, centre});
-        },
-        [](Extent& a, const Extent& b) {
-          a.box.join(b.box);
-          a.centres.join(b.centres);
-        });
+    return summed(range, Extent{},
+                  [](Extent& extent, const HierarchyFragment& fragment) { extent.add(fragment); });
   }
 
-  Bins binned_by_centre(const FragmentRange& range, const Binning& binning) const {
-    return summed<Bins>(
-        range,
-        [&](Bins& bins, const HierarchyFragment& fragment) {
-          const Lanes centre = fragment.centre();
-          for (int axis = 0; axis < 3; ++axis) {
-            Bin& bin = bins.at(axis, binning.bin(centre, axis));
-            bin.box.join(fragment.box);
-            ++bin.begin;
-            ++bin.end;
-          }
-        },
-        [](Bins& a, const Bins& b) { a.join(b); });
+  // The cheapest split by centres.
+  ObjectSplit object_split(const FragmentRange& range, const Binning& binning) const {
+    return range.count <= few_leaves ? object_split_of_few(range, binning)
+                                     : object_split_of_many(range, binning);
   }
-
-  // The bounds of what of a fragment lies on either side of a plane.
-  struct Sides {
-    LaneBox below, above;
-  };
-  Sides sides_of_fragment(const HierarchyFragment& fragment, int axis, float plane) const {
-    Sides sides;
-    with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
-      const ClippedBounds parts = sides_of(primitive, axis, plane, plane);
-      const auto part = [&](const Boxd& bounds) {
-        return is_empty(bounds)
-                   ? LaneBox{}
-                   : common(fragment_of(box_around(bounds, margin_), fragment.primitive()).box, fragment.box);
-      };
-      sides = {part(parts.below), part(parts.above)};
+  ObjectSplit object_split_of_few(const FragmentRange& range, const Binning& binning) const {
+    LaneBox boxes[few_leaves];
+    WholeLanes4 bins[few_leaves];
+    for (std::uint32_t i = 0; i < range.count; ++i) {
+      boxes[i] = range.first[i].box;
+      bins[i] = binning.bins_of(range.first[i].centre());
+    }
+    const SortedFew sorted(boxes, bins, range.count);
+    const AxisSplit cheapest = sorted.cheapest_split();
+    if (cheapest.axis < 0) return {};
+    ObjectSplit split{cheapest.cost, cheapest.axis, sorted.key(cheapest), {}, {}};
+    for (std::uint32_t i = 0; i < range.count; ++i)
+      (bins[i][split.axis] <= split.bin ? split.left : split.right).join(boxes[i]);
+    return split;
+  }
+  ObjectSplit object_split_of_many(const FragmentRange& range, const Binning& binning) const {
+    Bins bins = summed(range, Bins(binning.bins), [&](Bins& sum, const HierarchyFragment& fragment) {
+      const WholeLanes4 in = binning.bins_of(fragment.centre());
+      for (int axis = 0; axis < 3; ++axis) {
+        AxisBin& bin = sum.of[in[axis]];
+        bin.join(axis, fragment.box);
+        ++bin.begin[axis];
+      }
     });
-    return sides;
+    for (int i = 0; i < bins.count; ++i)
+      std::copy_n(bins.of[i].begin, 4, bins.of[i].end);
+    const AxisSplit cheapest = cheapest_split(bins.of, bins.count);
+    if (cheapest.axis < 0) return {};
+    ObjectSplit split{cheapest.cost, cheapest.axis, cheapest.number, {}, {}};
+    for (int i = 0; i < bins.count; ++i)
+      (i <= split.bin ? split.left : split.right).join(bins.of[i].box(split.axis));
+    return split;
   }
 
-  Bins binned_by_space(const FragmentRange& range, const Binning& binning) const {
-    return summed<Bins>(
-        range,
-        [&](Bins& bins, const HierarchyFragment& fragment) {
+  // What spatial splits cost at least, without cutting anything. All parts of a whole triangle together are
+  // as large as its box: so whichever of its sides holds all of them is as large as that. And where one
+  // crosses a plane, both sides reach as far.
+  struct SpatialBounds {
+    Bins left, right; // of left.of[bin].end as many cross a bin's plane more than the one's before
+
+    explicit SpatialBounds(int count) : left(count), right(count) {}
+    void join(const SpatialBounds& other) {
+      left.join(other.left);
+      right.join(other.right);
+    }
+  };
+
+  // Along which axes (-1) there may be a split by planes that costs less than this.
+  WholeLanes4 axes_worth_splitting(const FragmentRange& range, const Binning& binning, float cost) const {
+    const SpatialBounds bounds = summed(
+        range, SpatialBounds(binning.bins), [&](SpatialBounds& sum, const HierarchyFragment& fragment) {
+          const LaneBox& box = fragment.box;
+          const WholeLanes4 first = binning.bins_of(box.low), last = binning.bins_of(box.high);
+          // Whether it certainly has something on either side of each plane.
+          const WholeLanes4 crosses =
+              (box.low + slack_ < binning.planes(first)) & (binning.planes(last - 1) < box.high - slack_);
           for (int axis = 0; axis < 3; ++axis) {
-            const int first = binning.bin(fragment.box.low, axis),
-                      last = binning.bin(fragment.box.high, axis);
-            ++bins.at(axis, first).begin;
-            ++bins.at(axis, last).end;
-            HierarchyFragment rest = fragment;
-            for (int i = first; i != last; ++i) {
-              const Sides sides = sides_of_fragment(rest, axis, binning.plane(axis, i));
-              if (holds_something(sides.below)) bins.at(axis, i).box.join(sides.below);
-              rest.box = sides.above;
-              rest.box.low[3] = fragment.box.low[3];
+            AxisBin &left = sum.left.of[last[axis]], &right = sum.right.of[first[axis]];
+            ++sum.left.of[first[axis]].begin[axis];
+            ++sum.right.of[last[axis]].end[axis];
+            if (first[axis] != last[axis]) {
+              if (!fragment.is_whole_triangle()) continue;
+              sum.left.of[first[axis]].end[axis] -= crosses[axis];
+              left.end[axis] += crosses[axis];
             }
-            if (holds_something(rest.box)) bins.at(axis, last).box.join(rest.box);
+            left.join(axis, box);
+            right.join(axis, box);
           }
-        },
-        [](Bins& a, const Bins& b) { a.join(b); });
+        });
+    BoxLanes rights[bins_in_space]; // of all from a bin on
+    WholeLanes4 right_counts[bins_in_space];
+    const auto from = [&](int bin) -> const AxisBin& { return bounds.right.of[bin]; };
+    for (int bin = binning.bins - 1; bin > 0; --bin) {
+      rights[bin] = from(bin).boxes();
+      right_counts[bin] = AxisBin::lanes_of(from(bin).end);
+      if (bin + 1 == binning.bins) continue;
+      rights[bin].join(rights[bin + 1]);
+      right_counts[bin] += right_counts[bin + 1];
+    }
+    BoxLanes left = bounds.left.of[0].boxes();
+    WholeLanes4 left_count{}, crossing{}, is_cheaper{};
+    for (int bin = 0; bin + 1 < binning.bins; ++bin) {
+      left.join(bounds.left.of[bin].boxes());
+      left_count += AxisBin::lanes_of(bounds.left.of[bin].begin);
+      crossing += AxisBin::lanes_of(bounds.left.of[bin].end);
+      const WholeLanes4 right_count = right_counts[bin + 1];
+      BoxLanes up_to_plane = left, from_plane = rights[bin + 1];
+      const Lanes4 plane = binning.planes(WholeLanes4{} + bin);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (crossing[axis] == 0) continue;
+        up_to_plane.high[axis][axis] = std::max(up_to_plane.high[axis][axis], plane[axis]);
+        from_plane.low[axis][axis] = std::min(from_plane.low[axis][axis], plane[axis]);
+      }
+      const Lanes4 least = split_cost(up_to_plane.areas_or_0(), __builtin_convertvector(left_count, Lanes4),
+                                      from_plane.areas_or_0(), __builtin_convertvector(right_count, Lanes4));
+      is_cheaper |= (least < cost) & (left_count > 0) & (right_count > 0);
+    }
+    return is_cheaper;
+  }
+
+  // The cheapest split by planes, at which fragments are divided, along some axes.
+  AxisSplit spatial_split(const FragmentRange& range, const Binning& binning, WholeLanes4 axes) const {
+    const Bins bins = summed(range, Bins(binning.bins), [&](Bins& sum, const HierarchyFragment& fragment) {
+      const WholeLanes4 first = binning.bins_of(fragment.box.low) & axes,
+                        last = binning.bins_of(fragment.box.high) & axes;
+      bool is_in_one = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (axes[axis] == 0) continue;
+        ++sum.of[first[axis]].begin[axis];
+        ++sum.of[last[axis]].end[axis];
+        if (first[axis] == last[axis]) sum.of[first[axis]].join(axis, fragment.box);
+        is_in_one = is_in_one && first[axis] == last[axis];
+      }
+      if (is_in_one) return;
+      LaneBox rest[3] = {fragment.box, fragment.box, fragment.box};
+      with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
+        cut_off_all(primitive, binning, first, last, margin_, rest, sum);
+      });
+      for (int axis = 0; axis < 3; ++axis)
+        if (first[axis] != last[axis] && holds_something(rest[axis]))
+          sum.of[last[axis]].join(axis, rest[axis]);
+    });
+    return cheapest_split(bins.of, bins.count);
   }
 
   struct Halves {
     FragmentRange left, right;
   };
 
-  // The first of them go left. Both get room in proportion.
-  Halves with_room(const FragmentRange& range, std::uint32_t left_count) {
-    const std::uint32_t right_count = range.count - left_count;
-    const auto left_room =
-        static_cast<std::uint32_t>(static_cast<double>(range.room) * left_count / range.count);
-    const auto right = fragments_.begin() + range.first + left_count;
-    if (left_room > 0) std::move_backward(right, right + right_count, right + right_count + left_room);
-    return {{range.first, left_count, left_room},
-            {range.first + left_count + left_room, right_count, range.room - left_room}};
+  // The first of them go left. Both get room and places in proportion.
+  static Halves with_room(const FragmentRange& range, std::uint32_t left_count) {
+    const auto share = [&](std::uint32_t number) {
+      return static_cast<std::uint32_t>(static_cast<double>(number) * left_count / range.count);
+    };
+    const std::uint32_t room = share(range.room), places = share(range.places);
+    HierarchyFragment* const right = range.first + left_count;
+    if (places > 0) std::move_backward(right, range.end(), range.end() + places);
+    return {{range.first, left_count, places, room},
+            {right + places, range.count - left_count, range.places - places, range.room - room}};
   }
 
   template <class GoesLeft>
-  std::uint32_t partitioned(const FragmentRange& range, const GoesLeft& goes_left) {
-    const auto begin = fragments_.begin() + range.first;
-    return static_cast<std::uint32_t>(std::partition(begin, begin + range.count, goes_left) - begin);
+  static std::uint32_t partitioned(const FragmentRange& range, const GoesLeft& goes_left) {
+    return static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), goes_left) - range.first);
   }
 
-  // Divides at a plane what lies on both sides of it, as long as there is room.
-  Halves split_by_space(FragmentRange range, const Binning& binning, const Split& best) {
-    const float plane = binning.plane(best.axis, best.bin);
+  // Divides at a plane what lies on both sides of it, as long as there is room. `moved`: memory for a range
+  // that has no more places.
+  Halves split_by_space(FragmentRange range, const Binning& binning, const AxisSplit& best,
+                        HostArray<HierarchyFragment>& moved) {
+    const float plane = binning.plane(best.axis, best.number);
     const std::uint32_t count = range.count;
-    for (std::uint32_t i = range.first; i != range.first + count && range.room > 0; ++i) {
-      if (i % fragments_per_check == 0) check_progress(progress_);
-      HierarchyFragment& fragment = fragments_[i];
-      if (binning.bin(fragment.box.low, best.axis) > best.bin ||
-          binning.bin(fragment.box.high, best.axis) <= best.bin)
+    for (std::uint32_t i = 0; i != count && range.room > 0; ++i) {
+      if (i % fragments_per_check == fragments_per_check - 1) check_progress(progress_);
+      const HierarchyFragment fragment = range.first[i];
+      if (binning.bins_of(fragment.box.low)[best.axis] > best.number ||
+          binning.bins_of(fragment.box.high)[best.axis] <= best.number)
         continue;
-      const Sides sides = sides_of_fragment(fragment, best.axis, plane);
-      if (!holds_something(sides.below) || !holds_something(sides.above)) continue;
-      HierarchyFragment above = fragment;
-      const float primitive = fragment.box.low[3];
-      fragment.box = sides.below;
-      above.box = sides.above;
-      fragment.box.low[3] = above.box.low[3] = primitive;
-      fragments_[range.first + range.count++] = above;
+      HierarchyFragment below = fragment, above = fragment;
+      with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
+        const Sides sides = sides_with_margin(primitive, best.axis, plane, margin_);
+        below.box = common(sides.below, fragment.box);
+        above.box = common(sides.above, fragment.box);
+      });
+      if (!holds_something(below.box) || !holds_something(above.box)) continue;
+      below.box.low[3] = above.box.low[3] = fragment.box.low[3];
+      below.box.high[3] = above.box.high[3] = 0;
+      if (range.places == 0) {
+        HostArray<HierarchyFragment> more(places_for(range.count + 16));
+        std::copy(range.begin(), range.end(), more.begin());
+        moved.swap(more);
+        range.first = moved.data();
+        range.places = static_cast<std::uint32_t>(moved.size()) - range.count;
+      }
+      range.first[i] = below;
+      range.first[range.count++] = above;
+      --range.places;
       --range.room;
     }
     const std::uint32_t left_count = partitioned(
@@ -288,41 +445,45 @@ private:
     return with_room(range, one_sided ? range.count / 2 : left_count);
   }
 
-  Halves halves_of(const FragmentRange& range, const Extent& extent, int depth) {
+  Halves halves_of(const FragmentRange& range, const Extent& extent, int depth,
+                   HostArray<HierarchyFragment>& moved) {
     // Halves are taken where else the hierarchy would become too deep for the walk's stack. A spatial split
     // may leave twice as many fragments on one side.
     if (depth + static_cast<int>(std::bit_width(range.count)) + 1 >= max_hierarchy_depth)
       return with_room(range, range.count / 2);
-    const int bins = range.count > 64 ? most_bins : most_bins / 2;
-    const Binning by_centre(extent.centres, bins);
-    const Split objects = best_split(binned_by_centre(range, by_centre), bins);
+    const Binning by_centre(extent.centres, range.count > 64 ? most_bins : most_bins / 2);
+    const ObjectSplit objects = object_split(range, by_centre);
     const LaneBox overlap = common(objects.left, objects.right);
     if (range.room > 0 && objects.axis >= 0 && holds_something(overlap) &&
         overlap.area() > overlap_worth_splitting * root_area_) {
-      const Binning by_space(extent.box, most_bins / 2);
-      const Split space = best_split(binned_by_space(range, by_space), most_bins / 2);
-      if (space.cost < objects.cost) return split_by_space(range, by_space, space);
+      const Binning by_space(extent.box, bins_in_space);
+      const WholeLanes4 axes = axes_worth_splitting(range, by_space, objects.cost);
+      const bool is_worth_it = axes[0] != 0 || axes[1] != 0 || axes[2] != 0;
+      const AxisSplit space = is_worth_it ? spatial_split(range, by_space, axes) : AxisSplit{};
+      if (space.cost < objects.cost) return split_by_space(range, by_space, space, moved);
     }
     if (objects.axis < 0) return with_room(range, range.count / 2);
     return with_room(range, partitioned(range, [&](const HierarchyFragment& fragment) {
-                       return by_centre.bin(fragment.centre(), objects.axis) <= objects.bin;
+                       return by_centre.bins_of(fragment.centre())[objects.axis] <= objects.bin;
                      }));
   }
 
-  void split(std::uint32_t number, const FragmentRange& range, int depth) {
+  CollapseCosts split(std::uint32_t number, const FragmentRange& range, int depth) {
     const Extent extent = extent_of(range);
-    const Lanes &low = extent.box.low, &high = extent.box.high;
+    const Lanes4 &low = extent.box.low, &high = extent.box.high;
     BinaryNode& node = nodes_[number];
     node = {{low[0], low[1], low[2]}, 0, {high[0], high[1], high[2]}, range.count};
     if (range.count <= 1) {
-      node.index = fragments_[range.first].primitive();
-      return set_costs(number, collapse_costs_of_leaf(node));
+      node.index = range.first->primitive();
+      return with_choice(number, collapse_costs_of_leaf(node));
     }
-    const Halves halves = halves_of(range, extent, depth);
+    HostArray<HierarchyFragment> moved;
+    const Halves halves = halves_of(range, extent, depth, moved);
     const std::uint32_t left = used_.fetch_add(2);
     node.index = left;
-    const auto split_left = [&] { split(left, halves.left, depth + 1); };
-    const auto split_right = [&] { split(left + 1, halves.right, depth + 1); };
+    CollapseCosts left_costs, right_costs;
+    const auto split_left = [&] { left_costs = split(left, halves.left, depth + 1); };
+    const auto split_right = [&] { right_costs = split(left + 1, halves.right, depth + 1); };
     if (range.count > 1024) {
       tbb::parallel_invoke(split_left, split_right);
     } else {
@@ -333,12 +494,12 @@ private:
             std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
     }
     node.count = nodes_[left].count + nodes_[left + 1].count; // with what was divided below
-    set_costs(number, collapse_costs(node, costs_[left], costs_[left + 1]));
+    return with_choice(number, collapse_costs(node, left_costs, right_costs));
   }
 
-  void set_costs(std::uint32_t number, const CollapseCosts& costs) {
-    costs_[number] = costs;
+  CollapseCosts with_choice(std::uint32_t number, const CollapseCosts& costs) {
     choices_[number] = costs.choice;
+    return costs;
   }
 
   const SceneView<Stored>& scene_;
@@ -348,8 +509,9 @@ private:
   HostArray<HierarchyFragment> fragments_;
   HostArray<BinaryNode> nodes_;
   HostArray<CollapseChoice> choices_;
-  HostArray<CollapseCosts> costs_;
   float root_area_ = 0;
+  // More than what a triangle's box is larger than the triangle, and rounded by.
+  float slack_ = 0;
   std::atomic<std::uint32_t> used_ = 1;
   std::atomic<std::uint64_t> done_ = 0;
 };
@@ -358,13 +520,12 @@ private:
 
 template <class Stored>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
-                                              const HostArray<BinaryNode>& leaves,
-                                              ProgressMonitor* progress) {
-  return BinaryBuilder<Stored>(scene, margin, leaves, progress).build();
+                                              HostArray<BinaryNode> leaves, ProgressMonitor* progress) {
+  return BinaryBuilder<Stored>(scene, margin, std::move(leaves), progress).build();
 }
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, double,
-                                                       const HostArray<BinaryNode>&, ProgressMonitor*);
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, double, HostArray<BinaryNode>,
+                                                       ProgressMonitor*);
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<double>&, double,
-                                                       const HostArray<BinaryNode>&, ProgressMonitor*);
+                                                       HostArray<BinaryNode>, ProgressMonitor*);
 
 } // namespace masu

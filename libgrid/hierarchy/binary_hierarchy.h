@@ -2,46 +2,21 @@
 #pragma once
 
 #include "libgrid/hierarchy/collapse_passes.h"
+#include "libgrid/hierarchy/lane_box.h"
 #include "libscene/passes/host_executor.h"
 #include "libscene/scene_view.h"
 
-#include <cmath>
-
 namespace masu {
 
-// x, y, z, and a lane that boxes ignore: min and max of all four take an instruction.
-using Lanes = float __attribute__((vector_size(16)));
-
-inline Lanes smaller(Lanes a, Lanes b) {
-  return a < b ? a : b;
-}
-inline Lanes larger(Lanes a, Lanes b) {
-  return a > b ? a : b;
-}
-
-struct LaneBox {
-  Lanes low = {INFINITY, INFINITY, INFINITY, INFINITY};
-  Lanes high = {-INFINITY, -INFINITY, -INFINITY, -INFINITY};
-
-  void join(const LaneBox& other) {
-    low = smaller(low, other.low);
-    high = larger(high, other.high);
-  }
-  // Half of the surface: what SAH compares.
-  float area() const {
-    const Lanes side = high - low;
-    return side[0] * (side[1] + side[2]) + side[1] * side[2];
-  }
-};
-
 // The bounds of a primitive, or of a part of it, the margin included; its index is in a lane that boxes
-// ignore.
+// ignore, and in the other one whether it is a whole triangle.
 struct HierarchyFragment {
   LaneBox box;
 
   PrimitiveIndex primitive() const { return bits_of(box.low[3]); }
+  bool is_whole_triangle() const { return box.high[3] != 0; }
   // Twice the centre.
-  Lanes centre() const { return box.low + box.high; }
+  Lanes4 centre() const { return box.low + box.high; }
 };
 
 // From the top down, by the surface area heuristic over bins (Wald, "On Fast Construction of SAH-based
@@ -51,7 +26,7 @@ struct HierarchyFragment {
 // `progress` gets shares of the work.
 template <class Stored>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
-                                              const HostArray<BinaryNode>& leaves, ProgressMonitor* progress);
+                                              HostArray<BinaryNode> leaves, ProgressMonitor* progress);
 
 // About how many bytes per primitive the binary hierarchy takes, and what it is made into.
 inline constexpr double hierarchy_bytes_per_primitive = 300;

@@ -3,11 +3,13 @@
 #include "libgrid/hierarchy/binary_hierarchy.h"
 #include "libgrid/hierarchy/leaf_passes.h"
 #include "libgrid/hierarchy/refit_passes.h"
-#include "libgrid/hierarchy/top_down_passes.h"
+#include "libgrid/hierarchy/top_down_host.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace masu {
 
@@ -42,11 +44,11 @@ Structure build_hierarchy(const SceneView<Stored>& scene, const GridLayout& layo
                           ProgressMonitor* progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
   TbbExecutor executor{progress};
-  const auto leaves = hierarchy_leaves(executor, scene, layout);
+  auto leaves = hierarchy_leaves(executor, scene, layout);
   return collapsed_hierarchy(executor, layout,
                              quality == HierarchyQuality::fast
-                                 ? top_down_hierarchy(executor, leaves, layout.space)
-                                 : binary_hierarchy(scene, layout.margin, leaves, progress));
+                                 ? top_down_hierarchy(std::move(leaves), layout.space, progress)
+                                 : binary_hierarchy(scene, layout.margin, std::move(leaves), progress));
 }
 template Structure build_hierarchy(const SceneView<float>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);

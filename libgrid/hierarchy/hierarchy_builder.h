@@ -29,7 +29,7 @@ void check_hierarchy(const Boxd& space);
 void check_hierarchy(std::uint64_t primitives, const Boxd& space);
 
 // First leaves, of primitives and parts of them (leaf_passes.h); then a binary hierarchy of these, from the
-// top down (binary_hierarchy.h, top_down_passes.h); then the cheapest nodes of eight boxes that it can be
+// top down (binary_hierarchy.h, top_down_host.h); then the cheapest nodes of eight boxes that it can be
 // collapsed to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's
 // space, in one voxel; boxes contain the layout's margin around each primitive. The root comes first, then
 // depth first, a node's nodes side by side. `progress` gets shares of the work of high quality. Throws as

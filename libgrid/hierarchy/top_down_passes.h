@@ -1,6 +1,5 @@
-// A binary hierarchy from the root down, on whatever executor (executor.h): level by level by the surface
-// area heuristic over bins (Wald, "On Fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007),
-// of few leaves over all their centres.
+// A binary hierarchy from the root down, on whatever executor (executor.h): level by level, each node's
+// leaves as leaf_split.h has it. The CPU builds the same one depth first (top_down_host.h).
 //
 //   1. split    of each node's leaves by where their centres are
 //   2. sort     leaves by the node of the next level that they are in, else in their order; 1 and 2 until
@@ -10,7 +9,7 @@
 // No byte of the result depends on the executor or its number of threads.
 #pragma once
 
-#include "libgrid/hierarchy/collapse_passes.h"
+#include "libgrid/hierarchy/leaf_split.h"
 #include "libscene/passes/thread_group.h"
 
 #include <algorithm>
@@ -23,31 +22,6 @@ namespace masu {
 struct LeafRange {
   std::uint32_t first, count;
 };
-
-MASU_HD inline float twice_the_centre(const BinaryNode& node, int axis) {
-  return node.min[axis] + node.max[axis];
-}
-
-// What of a range goes left: leaves whose centres lie no farther along an axis. By none of the axes, or where
-// that is all or nothing, the first half.
-struct LeafSplit {
-  float cost = INFINITY;
-  std::int32_t axis = -1;
-  float place = 0; // twice it
-
-  MASU_HD bool is_left(const BinaryNode& leaf) const {
-    return axis >= 0 && twice_the_centre(leaf, axis) <= place;
-  }
-};
-MASU_HD inline bool comes_before(const LeafSplit& a, const LeafSplit& b) {
-  if (a.cost != b.cost) return a.cost < b.cost;
-  return a.axis != b.axis ? a.axis < b.axis : a.place < b.place;
-}
-
-// Of more leaves so many are looked at: the first ones of their order, which are the largest, and others as
-// far apart in it as each other. Few are tried one by one.
-inline constexpr std::uint32_t max_sampled = 4096, first_sampled = 512, few_leaves = 8;
-inline constexpr std::uint32_t max_bins = 16; // along each axis
 
 struct SplitRanges {
   struct Scratch {
@@ -65,7 +39,7 @@ struct SplitRanges {
   std::uint32_t most; // a range of more is halved, lest the hierarchy become too deep
 
   MASU_HD std::uint32_t size(std::uint64_t i) const {
-    return std::min(ranges[i].count, std::uint32_t{max_sampled});
+    return std::min(ranges[i].count, std::uint32_t{LeafSample::most});
   }
   template <class ThreadGroup>
   MASU_HD void operator()(const ThreadGroup& group, Scratch& scratch, std::uint64_t i) const {
@@ -83,8 +57,8 @@ private:
   }
   MASU_HD static float cost_of(const Boxf& left, std::uint32_t left_count, const Boxf& right,
                                std::uint32_t right_count) {
-    return half_area(left) * static_cast<float>(left_count) +
-           half_area(right) * static_cast<float>(right_count);
+    return split_cost(half_area(left), static_cast<float>(left_count), half_area(right),
+                      static_cast<float>(right_count));
   }
 
   // Of any of a range's leaves as the last one on the left, sorted along each axis. Both for the first
@@ -124,32 +98,19 @@ private:
     return group.first_of_all(best);
   }
 
-  struct Bins {
-    std::int32_t axis;
-    std::int32_t count;
-    float low, per_unit;
-
-    // `centre`: twice it.
-    MASU_HD std::int32_t operator()(float centre) const {
-      return std::clamp(static_cast<std::int32_t>((centre - low) * per_unit), 0, count - 1);
-    }
-  };
   template <class ThreadGroup>
   MASU_HD LeafSplit cheapest(const ThreadGroup& group, Scratch& scratch, const LeafRange& range,
                              const Boxf& space) const {
-    const std::uint32_t first = std::min(range.count, std::uint32_t{first_sampled}),
-                        apart = (range.count - first) / (max_sampled - first_sampled + 1) + 1;
+    const LeafSample sample(range.count);
     const auto for_each_leaf = [&](const auto& act) {
-      for (std::uint32_t i = group.thread_rank(); i < first; i += group.size())
-        act(leaf(range, i), 1U);
-      for (std::uint32_t i = first + group.thread_rank() * apart; i < range.count; i += group.size() * apart)
-        act(leaf(range, i), std::min(apart, range.count - i));
+      sample.for_each(group.thread_rank(), group.size(),
+                      [&](std::uint32_t i, std::uint32_t stands_for) { act(leaf(range, i), stands_for); });
     };
     if (group.thread_rank() == 0) scratch.centres = empty_box<float>();
-    const auto bin_count = static_cast<std::int32_t>(std::min(range.count / 4 + 4, std::uint32_t{max_bins}));
-    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bin_count;
+    const std::int32_t bins = bin_count(range.count);
+    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bins;
          i += static_cast<std::int32_t>(group.size())) {
-      auto& bin = scratch.bins[i / bin_count][i % bin_count];
+      auto& bin = scratch.bins[i / bins][i % bins];
       bin.box = empty_box<float>();
       bin.count = 0;
     }
@@ -158,20 +119,9 @@ private:
     for_each_leaf([&](const BinaryNode& leaf, std::uint32_t) { own = join(own, leaf.min + leaf.max); });
     group.join(scratch.centres, own);
     group.sync();
-    Boxf centres = scratch.centres;
-    // Regular things are best split just where their space is, which a sample misses: so by the space, unless
-    // they are small in it.
-    for (int axis = 0; axis < 3 && apart > 1; ++axis) {
-      if (4 * (centres.max[axis] - centres.min[axis]) < space.max[axis] - space.min[axis]) continue;
-      centres.min.set(axis, space.min[axis]);
-      centres.max.set(axis, space.max[axis]);
-    }
-    Bins along[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const float scale = static_cast<float>(bin_count) * 0.99999F / (centres.max[axis] - centres.min[axis]);
-      // 0: all in one place, or nearly
-      along[axis] = {axis, bin_count, centres.min[axis], scale < INFINITY ? scale : 0};
-    }
+    const LeafBins along[] = {{sample, scratch.centres, space, 0},
+                              {sample, scratch.centres, space, 1},
+                              {sample, scratch.centres, space, 2}};
     for_each_leaf([&](const BinaryNode& leaf, std::uint32_t stands_for) {
       for (int axis = 0; axis < 3; ++axis) {
         auto& bin = scratch.bins[axis][along[axis](twice_the_centre(leaf, axis))];
@@ -183,20 +133,21 @@ private:
     LeafSplit best;
     for (auto axis = static_cast<int>(group.thread_rank()); axis < 3;
          axis += static_cast<int>(group.size())) {
-      const LeafSplit split = cheapest_along(along[axis], scratch, range.count);
+      const LeafSplit split = cheapest_along(axis, along[axis], scratch, range.count);
       if (comes_before(split, best)) best = split;
     }
     return group.first_of_all(best);
   }
 
-  MASU_HD static LeafSplit cheapest_along(const Bins& along, const Scratch& scratch, std::uint32_t count) {
-    const auto& bins = scratch.bins[along.axis];
+  MASU_HD static LeafSplit cheapest_along(int axis, const LeafBins& along, const Scratch& scratch,
+                                          std::uint32_t count) {
+    const auto& bins = scratch.bins[axis];
     Boxf right[max_bins + 1]; // of all from a bin on
     right[along.count] = empty_box<float>();
     for (int bin = along.count; --bin > 0;)
       right[bin] = join(right[bin + 1], bins[bin].box);
     LeafSplit best, split;
-    split.axis = along.axis;
+    split.axis = axis;
     Boxf left = empty_box<float>();
     std::uint32_t left_count = 0;
     for (int bin = 0; bin + 1 < along.count; ++bin) {
@@ -205,7 +156,7 @@ private:
       if (left_count == 0) continue;
       if (left_count == count) break;
       split.cost = cost_of(left, left_count, right[bin + 1], count - left_count);
-      split.place = along.low + static_cast<float>(bin + 1) / along.per_unit;
+      split.place = along.end(bin);
       if (comes_before(split, best)) best = split;
     }
     return best;
@@ -266,10 +217,9 @@ BinaryLevel<Executor> split_level(Executor& executor, const ArrayOf<Executor, Bi
     const std::uint32_t at = first_child[i];
     child[at].count = left;
     child[at + 1].count = in_range - left;
-    child_space[at] = child_space[at + 1] = space[i];
-    if (split[i].axis < 0) return;
-    child_space[at].max.set(split[i].axis, split[i].place);
-    child_space[at + 1].min.set(split[i].axis, split[i].place);
+    const SplitSpaces spaces(space[i], split[i]);
+    child_space[at] = spaces.left;
+    child_space[at + 1] = spaces.right;
   });
   const auto places = sums_before(executor, child_count, [=] MASU_PASS(std::uint64_t i) {
     return child[i].count > 1 ? child[i].count : 0U;
@@ -316,16 +266,15 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, const ArrayOf<E
   BinaryLevel<Executor> next{executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
   LeafRange* const all = next.ranges.data();
   Boxf* const space = next.spaces.data();
-  executor.for_each(1, [=, twice = cast<float>(scene_space)] MASU_PASS(std::uint64_t) {
+  executor.for_each(1, [=, centres = twice(cast<float>(scene_space))] MASU_PASS(std::uint64_t) {
     *all = {0, static_cast<std::uint32_t>(count)};
-    *space = {twice.min + twice.min, twice.max + twice.max};
+    *space = centres;
   });
   std::vector<BinaryLevel<Executor>> levels;
   for (std::uint32_t first_pair = 1; next.ranges.size() > 0;) {
-    // What is split off may leave one leaf fewer, which must still fit below when halved again and again.
-    const int levels_below = max_hierarchy_depth - 2 - static_cast<int>(levels.size());
+    const std::uint32_t most = most_leaves_split(levels.size());
     levels.push_back(std::move(next));
-    next = split_level(executor, leaves, 1U << std::clamp(levels_below, 0, 31), levels.back(), order);
+    next = split_level(executor, leaves, most, levels.back(), order);
     next.first_node = 2 * first_pair;
     first_pair += static_cast<std::uint32_t>(next.ranges.size() / 2);
   }

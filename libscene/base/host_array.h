@@ -1,6 +1,9 @@
-// Arrays in host memory whose elements aren't written before they are computed.
+// Arrays in host memory, of large pages, whose elements aren't written before they are computed.
 #pragma once
 
+#include "libscene/base/huge_pages.h"
+
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -14,6 +17,11 @@ struct DefaultInitAllocator : std::allocator<T> {
     using other = DefaultInitAllocator<U>;
   };
   using std::allocator<T>::allocator;
+  T* allocate(std::size_t count) {
+    T* const place = std::allocator<T>::allocate(count);
+    prefer_huge_pages(place, count * sizeof(T));
+    return place;
+  }
   template <class U, class... Arguments>
   void construct(U* place, Arguments&&... arguments) {
     if constexpr (sizeof...(Arguments) == 0) {

@@ -169,6 +169,21 @@ MASU_ALWAYS_INLINE Real least_lane(Lanes<Real> a) {
   return -largest_lane(-a);
 }
 
+// Four floats.
+MASU_ALWAYS_INLINE __m128 rounded_up(Doubles4 value) {
+  const __m128 nearest = _mm256_cvtpd_ps(value.v);
+  const __m256i is_less = reinterpret_cast<__m256i>(_mm256_cvtps_pd(nearest) < value.v);
+  const __m128 moves = _mm256_castps256_ps128(reinterpret_cast<__m256>(
+      _mm256_permutevar8x32_epi32(is_less, _mm256_setr_epi32(0, 2, 4, 6, 0, 2, 4, 6))));
+  // Away from zero if it is positive; and -0 as 0.
+  const __m128i bits = _mm_castps_si128(_mm_add_ps(nearest, _mm_setzero_ps()));
+  const __m128i step = _mm_or_si128(_mm_srai_epi32(bits, 31), _mm_set1_epi32(1));
+  return _mm_blendv_ps(nearest, _mm_castsi128_ps(_mm_add_epi32(bits, step)), moves);
+}
+MASU_ALWAYS_INLINE __m128 rounded_down(Doubles4 value) {
+  return -rounded_up(-value);
+}
+
 // Of eight floats those from `first` on.
 template <class Real>
 MASU_ALWAYS_INLINE Lanes<Real> part_of(Floats8 eight, std::size_t first) {

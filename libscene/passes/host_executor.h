@@ -83,92 +83,113 @@ public:
     return values[i];
   }
 
-  // Pairs go into buckets by the key's highest bits while they are emitted, so that sorting a bucket stays in
-  // the cache; buckets and chunks of items don't depend on the number of threads. What a bucket leaves of a
-  // key fits in 32 bits: wider keys make more buckets.
+  // Pairs go into buckets by the key's highest bits, and a bucket is sorted in the cache; buckets and chunks
+  // of items don't depend on the number of threads. What a bucket leaves of a key fits in 32 bits: wider keys
+  // make more buckets.
   template <class Value, class Emit>
   std::optional<Sorted<HostExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
                                                          std::uint64_t max_pairs, const Emit& emit) const {
-    struct Pair {
-      std::uint32_t key; // within the bucket
-      Value value;
-    };
-    // Bucket b's pairs are pairs[begin[b]] … pairs[begin[b + 1] - 1].
+    // Those that some items emit. Of bucket b the first one, and so on, goes to place[b], once all are
+    // counted.
     struct Chunk {
-      std::vector<Pair> pairs;
-      std::vector<std::uint32_t> begin;
+      std::vector<std::uint64_t> keys;
+      std::vector<Value> values;
+      std::vector<std::uint64_t> place;
     };
     constexpr std::uint64_t items_per_chunk = 4096, all_rows = ~std::uint64_t{0};
     const int bucket_bits = std::clamp(bits - 10, 12, 32);
-    const std::uint64_t buckets = (std::uint64_t{1} << std::max(bits - bucket_bits, 0)),
-                        mask = (std::uint64_t{1} << bucket_bits) - 1;
+    const std::uint64_t buckets = std::uint64_t{1} << std::max(bits - bucket_bits, 0);
     std::vector<Chunk> chunks((count + items_per_chunk - 1) / items_per_chunk);
     std::atomic<std::uint64_t> total = 0;
     tbb::parallel_for(std::uint64_t{0}, chunks.size(), [&](std::uint64_t c) {
-      std::vector<std::pair<std::uint64_t, Value>> emitted;
-      const std::uint64_t end = std::min(count, (c + 1) * items_per_chunk);
-      for (std::uint64_t i = c * items_per_chunk; i != end && emitted.size() <= max_pairs; ++i) {
-        if (i % 16 == 0) check_progress(progress);
-        emit(i, 0, all_rows,
-             [&](std::uint64_t key, const Value& value) { emitted.emplace_back(key, value); });
-      }
-      if ((total += emitted.size()) > max_pairs) return;
       Chunk& chunk = chunks[c];
-      chunk.begin.assign(buckets + 1, 0);
-      for (const auto& [key, value] : emitted)
-        ++chunk.begin[(key >> bucket_bits) + 1];
-      for (std::uint64_t b = 0; b < buckets; ++b)
-        chunk.begin[b + 1] += chunk.begin[b];
-      std::vector<std::uint32_t> next(chunk.begin.begin(), chunk.begin.end() - 1);
-      chunk.pairs.resize(emitted.size());
-      for (const auto& [key, value] : emitted)
-        chunk.pairs[next[key >> bucket_bits]++] = {static_cast<std::uint32_t>(key & mask), value};
+      chunk.keys.reserve(items_per_chunk);
+      chunk.values.reserve(items_per_chunk);
+      const std::uint64_t end = std::min(count, (c + 1) * items_per_chunk);
+      for (std::uint64_t i = c * items_per_chunk; i != end && chunk.keys.size() <= max_pairs; ++i) {
+        if (i % 16 == 0) check_progress(progress);
+        emit(i, 0, all_rows, [&](std::uint64_t key, const Value& value) {
+          chunk.keys.push_back(key);
+          chunk.values.push_back(value);
+        });
+      }
+      if ((total += chunk.keys.size()) > max_pairs) return;
+      chunk.place.assign(buckets, 0);
+      for (const std::uint64_t key : chunk.keys)
+        ++chunk.place[key >> bucket_bits];
     });
     if (total > max_pairs) return std::nullopt;
 
+    // Bucket b's pairs are those from begin[b] to before begin[b + 1].
     std::vector<std::uint64_t> begin(buckets + 1, 0);
     for (const Chunk& chunk : chunks) {
       for (std::uint64_t b = 0; b < buckets; ++b)
-        begin[b + 1] += chunk.begin[b + 1] - chunk.begin[b];
+        begin[b + 1] += chunk.place[b];
     }
     for (std::uint64_t b = 0; b < buckets; ++b)
       begin[b + 1] += begin[b];
+    std::vector<std::uint64_t> next(begin.begin(), begin.end() - 1);
+    for (Chunk& chunk : chunks) {
+      for (std::uint64_t b = 0; b < buckets; ++b)
+        chunk.place[b] = std::exchange(next[b], next[b] + chunk.place[b]);
+    }
     auto keys = array<std::uint64_t>(total);
     auto values = array<Value>(total);
-    tbb::parallel_for(std::uint64_t{0}, buckets, [&](std::uint64_t bucket) {
+    tbb::parallel_for(std::uint64_t{0}, chunks.size(), [&](std::uint64_t c) {
       check_progress(progress);
-      const std::uint64_t first = begin[bucket], pair_count = begin[bucket + 1] - first;
-      if (pair_count == 0) return;
-      const auto for_each_pair = [&](const auto& act) {
-        for (const Chunk& chunk : chunks) {
-          for (std::uint32_t i = chunk.begin[bucket]; i != chunk.begin[bucket + 1]; ++i)
-            act(chunk.pairs[i]);
-        }
-      };
-      const auto put = [&](std::uint64_t i, const Pair& pair) {
-        keys[first + i] = bucket << bucket_bits | pair.key;
-        values[first + i] = pair.value;
-      };
-      if (pair_count < (std::uint64_t{1} << bucket_bits) / 16) { // few in many: by comparison
-        std::vector<Pair> sorted;
-        sorted.reserve(pair_count);
-        for_each_pair([&](const Pair& pair) { sorted.push_back(pair); });
-        std::stable_sort(sorted.begin(), sorted.end(),
-                         [](const Pair& a, const Pair& b) { return a.key < b.key; });
-        for (std::uint64_t i = 0; i < pair_count; ++i)
-          put(i, sorted[i]);
-      } else {
-        std::vector<std::uint32_t> next((std::size_t{1} << bucket_bits) + 1, 0);
-        for_each_pair([&](const Pair& pair) { ++next[pair.key + 1]; });
-        for (std::size_t i = 1; i < next.size(); ++i)
-          next[i] += next[i - 1];
-        for_each_pair([&](const Pair& pair) { put(next[pair.key]++, pair); });
+      Chunk chunk = std::move(chunks[c]);
+      for (std::size_t i = 0; i < chunk.keys.size(); ++i) {
+        const std::uint64_t place = chunk.place[chunk.keys[i] >> bucket_bits]++;
+        keys[place] = chunk.keys[i];
+        values[place] = chunk.values[i];
       }
+    });
+    tbb::parallel_for(std::uint64_t{0}, buckets, [&](std::uint64_t b) {
+      if (begin[b] == begin[b + 1]) return;
+      check_progress(progress);
+      const std::size_t size = begin[b + 1] - begin[b];
+      sort_bucket(bucket_bits, size, keys.data() + begin[b], values.data() + begin[b]);
     });
     return Sorted<HostExecutor, Value>{std::move(keys), std::move(values)};
   }
 
 private:
+  // By the keys' lowest bits: the others are the same. Equal keys stay in their order.
+  template <class Value>
+  static void sort_bucket(int bits, std::size_t size, std::uint64_t* keys, Value* values) {
+    // A key's lowest bits, and where the pair was.
+    using Place = std::uint64_t;
+    std::vector<Place> places(size);
+    for (std::size_t i = 0; i < size; ++i)
+      places[i] = keys[i] << 32 | i;
+    constexpr int most_bits = 12; // of a digit
+    const int digits = (bits + most_bits - 1) / most_bits, digit_bits = (bits + digits - 1) / digits;
+    if (size < (std::size_t{1} << digit_bits) / 4) { // few in many: by comparison
+      std::sort(places.begin(), places.end());
+    } else {
+      std::vector<Place> sorted(size);
+      std::vector<std::uint32_t> next(std::size_t{1} << digit_bits);
+      for (int shift = 32; shift < 32 + bits; shift += digit_bits) {
+        const auto digit = [=, mask = next.size() - 1](Place place) { return place >> shift & mask; };
+        std::fill(next.begin(), next.end(), 0U);
+        for (const Place place : places)
+          ++next[digit(place)];
+        std::uint32_t sum = 0;
+        for (std::uint32_t& first : next)
+          first = std::exchange(sum, sum + first);
+        for (const Place place : places)
+          sorted[next[digit(place)]++] = place;
+        std::swap(places, sorted);
+      }
+    }
+    const std::vector<Value> unsorted(values, values + size);
+    const std::uint64_t high = *keys >> bits << bits;
+    for (std::size_t i = 0; i < size; ++i) {
+      keys[i] = high | (places[i] >> 32 & ((std::uint64_t{1} << bits) - 1));
+      values[i] = unsorted[static_cast<std::uint32_t>(places[i])];
+    }
+  }
+
   template <class Act>
   void for_each_range(std::uint64_t count, std::uint64_t grain, const Act& act) const {
     const auto over = [&](std::uint64_t begin, std::uint64_t end) {

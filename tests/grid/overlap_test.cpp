@@ -7,6 +7,9 @@
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
 #include "tests/surface_point.h"
+#ifdef MASU_HOST_AVX2
+#include "libgrid/grid/overlap/clipped_lanes.h"
+#endif
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -554,6 +557,46 @@ TEST_F(PrimitivesCutByAPlane, AreAsSmallAsAShortenedCone) {
     EXPECT_TRUE(contains(expected, sides.below.min) && contains(expected, sides.below.max));
   }
 }
+
+#ifdef MASU_HOST_AVX2
+TEST_F(PrimitivesCutByAPlane, AreTheSameBitsByFourPlanesAtOnce) {
+  for (int count = 0; count < 20000; ++count) {
+    const auto triangle = random_triangle<double>(chance_, std::pow(10.0, chance_.uniform(-6, 6)));
+    const Boxd whole = bounds(triangle);
+    int axes[4];
+    double planes[4];
+    for (int lane = 0; lane < 4; ++lane) {
+      const int axis = axes[lane] = chance_.whole(0, 2);
+      planes[lane] = chance_.one_in(3) ? chance_.one_of({triangle.a, triangle.b, triangle.c})[axis]
+                                       : chance_.uniform(whole.min[axis], whole.max[axis]);
+    }
+    const Doubles4 at = _mm256_loadu_pd(planes);
+    const ClippedBoundsOf<Doubles4> four = sides_of(triangle, LaneAxes(axes), at, at);
+    const auto expect_lane = [&](int lane, double one, Doubles4 all) {
+      double numbers[4];
+      float up[4], down[4];
+      _mm256_storeu_pd(numbers, all.v);
+      _mm_storeu_ps(up, rounded_up(all));
+      _mm_storeu_ps(down, rounded_down(all));
+      EXPECT_EQ(one, numbers[lane]);
+      EXPECT_EQ(rounded_up(one), up[lane]);
+      EXPECT_EQ(rounded_down(one), down[lane]);
+    };
+    for (int lane = 0; lane < 4; ++lane) {
+      const ClippedBounds one = sides_of(triangle, axes[lane], planes[lane], planes[lane]);
+      const auto expect_box = [&](const Boxd& box, const Box<Doubles4>& boxes) {
+        for (int axis = 0; axis < 3 && !is_empty(box); ++axis) {
+          expect_lane(lane, box.min[axis], boxes.min[axis]);
+          expect_lane(lane, box.max[axis], boxes.max[axis]);
+        }
+      };
+      expect_box(one.below, four.below);
+      expect_box(one.above, four.above);
+    }
+    if (HasFailure()) return;
+  }
+}
+#endif
 
 } // namespace
 } // namespace masu

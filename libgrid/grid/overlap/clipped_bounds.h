@@ -9,27 +9,50 @@
 namespace masu {
 
 // The parts of a primitive on either side of a plane: bounds of what is at most `low` along the axis, and of
-// what is at least `high`.
-struct ClippedBounds {
-  Boxd below, above;
+// what is at least `high`. Number: double, or lanes (clipped_lanes.h).
+template <class Number>
+struct ClippedBoundsOf {
+  Box<Number> below, above;
 };
+using ClippedBounds = ClippedBoundsOf<double>;
 
-MASU_HD inline ClippedBounds sides_of(const Triangle<double>& triangle, int axis, double low, double high) {
+template <class Point>
+MASU_HD inline void join_where(bool is_there, Boxd& box, const Point& point) {
+  if (is_there) box = join(box, point());
+}
+
+MASU_HD inline double coordinate(const Vec3d& v, int axis) {
+  return v[axis];
+}
+MASU_HD inline void set_coordinate(Vec3d& v, int axis, double to) {
+  v.set(axis, to);
+}
+
+template <class Axis, class Number>
+MASU_HD inline ClippedBoundsOf<Number> sides_of(const Triangle<double>& triangle, const Axis& axis,
+                                                Number low, Number high) {
   const Vec3d corners[] = {triangle.a, triangle.b, triangle.c};
-  ClippedBounds sides{empty_box<double>(), empty_box<double>()};
+  const Number far = RealTraits<double>::largest;
+  const Box<Number> empty{{far, far, far}, {-far, -far, -far}};
+  ClippedBoundsOf<Number> sides{empty, empty};
   for (int i = 0; i < 3; ++i) {
     const Vec3d &p = corners[i], &q = corners[(i + 1) % 3];
-    if (p[axis] <= low) sides.below = join(sides.below, p);
-    if (p[axis] >= high) sides.above = join(sides.above, p);
-    const auto meeting = [&](double plane) {
-      Vec3d at = p + (q - p) * ((plane - p[axis]) / (q[axis] - p[axis]));
-      at.set(axis, plane);
+    const Number begin = coordinate(p, axis), end = coordinate(q, axis);
+    const auto corner = [&] { return Vec3<Number>{p.x, p.y, p.z}; };
+    join_where(begin <= low, sides.below, corner);
+    join_where(high <= begin, sides.above, corner);
+    const auto crosses = [&](Number plane) {
+      return ((begin < plane) & (plane < end)) | ((end < plane) & (plane < begin));
+    };
+    const auto meeting = [&](Number plane) {
+      const Vec3d side = q - p;
+      const Number share = (plane - begin) / (end - begin);
+      Vec3<Number> at{p.x + side.x * share, p.y + side.y * share, p.z + side.z * share};
+      set_coordinate(at, axis, plane);
       return at;
     };
-    if ((p[axis] < low) != (q[axis] < low) && p[axis] != low && q[axis] != low)
-      sides.below = join(sides.below, meeting(low));
-    if ((p[axis] < high) != (q[axis] < high) && p[axis] != high && q[axis] != high)
-      sides.above = join(sides.above, meeting(high));
+    join_where(crosses(low), sides.below, [&] { return meeting(low); });
+    join_where(crosses(high), sides.above, [&] { return meeting(high); });
   }
   return sides;
 }

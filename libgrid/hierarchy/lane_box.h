@@ -1,0 +1,71 @@
+// Boxes whose planes lie side by side: min and max of all axes take an instruction. Host only.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace masu {
+
+// x, y, z, and a lane that boxes ignore.
+using Lanes4 = float __attribute__((vector_size(16)));
+using WholeLanes4 = std::int32_t __attribute__((vector_size(16)));
+
+inline Lanes4 smaller(Lanes4 a, Lanes4 b) {
+  return a < b ? a : b;
+}
+inline Lanes4 larger(Lanes4 a, Lanes4 b) {
+  return a > b ? a : b;
+}
+
+struct LaneBox {
+  Lanes4 low = {INFINITY, INFINITY, INFINITY, INFINITY};
+  Lanes4 high = {-INFINITY, -INFINITY, -INFINITY, -INFINITY};
+
+  void join(const LaneBox& other) {
+    low = smaller(low, other.low);
+    high = larger(high, other.high);
+  }
+  // Half of the surface: what SAH compares.
+  float area() const {
+    const Lanes4 side = high - low;
+    return side[0] * (side[1] + side[2]) + side[1] * side[2];
+  }
+};
+
+// A box in each lane.
+struct BoxLanes {
+  Lanes4 low[3], high[3];
+
+  BoxLanes() = default;
+  // Of three; what is in the last lane is ignored.
+  BoxLanes(const LaneBox& a, const LaneBox& b, const LaneBox& c) {
+    transpose(a.low, b.low, c.low, low);
+    transpose(a.high, b.high, c.high, high);
+  }
+  void join(const BoxLanes& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = smaller(low[axis], other.low[axis]);
+      high[axis] = larger(high[axis], other.high[axis]);
+    }
+  }
+  Lanes4 areas() const {
+    const Lanes4 x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    return x * (y + z) + y * z;
+  }
+  // The same; 0 of a box that holds nothing.
+  Lanes4 areas_or_0() const {
+    const WholeLanes4 holds = (low[0] <= high[0]) & (low[1] <= high[1]) & (low[2] <= high[2]);
+    return holds ? areas() : Lanes4{};
+  }
+
+private:
+  static void transpose(Lanes4 a, Lanes4 b, Lanes4 c, Lanes4 (&to)[3]) {
+    const Lanes4 first = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+                 last = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    to[0] = __builtin_shufflevector(first, c, 0, 1, 4, 4);
+    to[1] = __builtin_shufflevector(first, c, 2, 3, 5, 5);
+    to[2] = __builtin_shufflevector(last, c, 0, 1, 6, 6);
+  }
+};
+
+} // namespace masu

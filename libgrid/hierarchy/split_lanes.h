@@ -1,0 +1,150 @@
+// Splits by the surface area heuristic along three axes at once, which are lanes. Host only.
+#pragma once
+
+#include "libgrid/hierarchy/lane_box.h"
+#include "libgrid/hierarchy/leaf_split.h"
+
+#include <cstdint>
+
+namespace masu {
+
+// Of the candidates along an axis, which are numbered.
+struct AxisSplit {
+  float cost = INFINITY;
+  int axis = -1; // none: everything is in one place
+  std::int32_t number = 0;
+};
+
+// The cheapest candidate, of equal ones the first along the first axis.
+class CheapestSplit {
+public:
+  void add(Lanes4 left_areas, Lanes4 left_counts, Lanes4 right_areas, Lanes4 right_counts,
+           WholeLanes4 is_split, std::int32_t number) {
+    const Lanes4 cost = split_cost(left_areas, left_counts, right_areas, right_counts);
+    const WholeLanes4 is_cheaper = (cost < cost_) & is_split;
+    cost_ = is_cheaper ? cost : cost_;
+    number_ = is_cheaper ? WholeLanes4{} + number : number_;
+  }
+  AxisSplit along_any_axis() const {
+    AxisSplit best;
+    for (int axis = 0; axis < 3; ++axis)
+      if (cost_[axis] < best.cost) best = {cost_[axis], axis, number_[axis]};
+    return best;
+  }
+
+private:
+  Lanes4 cost_ = {INFINITY, INFINITY, INFINITY, INFINITY};
+  WholeLanes4 number_{};
+};
+
+// What a bin of each axis holds: the join of boxes, and how many things begin and end there.
+struct AxisBin { // NOLINT(cppcoreguidelines-pro-type-member-init): cleared before it is used
+  Lanes4 low[3], high[3];
+  std::int32_t begin[4], end[4];
+
+  void clear() {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = LaneBox{}.low;
+      high[axis] = LaneBox{}.high;
+    }
+    for (int axis = 0; axis < 4; ++axis)
+      begin[axis] = end[axis] = 0;
+  }
+  void join(int axis, const LaneBox& box) {
+    low[axis] = smaller(low[axis], box.low);
+    high[axis] = larger(high[axis], box.high);
+  }
+  void join(const AxisBin& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      join(axis, other.box(axis));
+      begin[axis] += other.begin[axis];
+      end[axis] += other.end[axis];
+    }
+  }
+  LaneBox box(int axis) const { return {low[axis], high[axis]}; }
+  BoxLanes boxes() const { return {box(0), box(1), box(2)}; }
+  static WholeLanes4 lanes_of(const std::int32_t (&counts)[4]) {
+    return WholeLanes4{counts[0], counts[1], counts[2], counts[3]};
+  }
+};
+
+// Numbered by the last bin that goes left.
+template <std::int32_t most_bins>
+AxisSplit cheapest_split(const AxisBin (&bins)[most_bins], std::int32_t count) {
+  Lanes4 right_areas[most_bins];
+  WholeLanes4 right_counts[most_bins];
+  BoxLanes right = bins[count - 1].boxes();
+  WholeLanes4 right_count{};
+  for (std::int32_t i = count - 1; i > 0; --i) {
+    right.join(bins[i].boxes());
+    right_areas[i] = right.areas();
+    right_counts[i] = right_count += AxisBin::lanes_of(bins[i].end);
+  }
+  CheapestSplit cheapest;
+  BoxLanes left = bins[0].boxes();
+  WholeLanes4 left_count{};
+  for (std::int32_t i = 0; i + 1 < count; ++i) {
+    left.join(bins[i].boxes());
+    left_count += AxisBin::lanes_of(bins[i].begin);
+    right_count = right_counts[i + 1];
+    cheapest.add(left.areas(), __builtin_convertvector(left_count, Lanes4), right_areas[i + 1],
+                 __builtin_convertvector(right_count, Lanes4), (left_count > 0) & (right_count > 0), i);
+  }
+  return cheapest.along_any_axis();
+}
+
+// Few boxes sorted along each axis by keys, equal ones in their order.
+template <class Keys>
+class SortedFew {
+public:
+  SortedFew(const LaneBox* boxes, const Keys* keys, std::uint32_t count)
+      : boxes_(boxes), keys_(keys), count_(count) {
+    WholeLanes4 ranks[few_leaves];
+    for (std::uint32_t i = 0; i < count; ++i) {
+      ranks[i] = WholeLanes4{};
+      for (std::uint32_t k = 0; k < i; ++k) {
+        const WholeLanes4 is_after = keys[k] <= keys[i]; // -1 where i comes after k
+        ranks[i] -= is_after;
+        ranks[k] += is_after + 1;
+      }
+    }
+    for (std::uint32_t i = 0; i < count; ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        order_[axis][ranks[i][axis]] = static_cast<std::uint8_t>(i);
+  }
+
+  // Between boxes of other keys; numbered by the last one that goes left.
+  AxisSplit cheapest_split() const {
+    Lanes4 right_areas[few_leaves];
+    BoxLanes right = lanes(count_ - 1);
+    for (std::uint32_t i = count_ - 1; i > 0; --i) {
+      right.join(lanes(i));
+      right_areas[i] = right.areas();
+    }
+    CheapestSplit cheapest;
+    BoxLanes left = lanes(0);
+    for (std::uint32_t i = 0; i + 1 < count_; ++i) {
+      left.join(lanes(i));
+      const auto left_count = static_cast<float>(i + 1), right_count = static_cast<float>(count_ - i - 1);
+      cheapest.add(left.areas(), Lanes4{} + left_count, right_areas[i + 1], Lanes4{} + right_count,
+                   keys(i) != keys(i + 1), static_cast<std::int32_t>(i));
+    }
+    return cheapest.along_any_axis();
+  }
+  auto key(const AxisSplit& split) const { return keys_[order_[split.axis][split.number]][split.axis]; }
+
+private:
+  BoxLanes lanes(std::uint32_t i) const {
+    return {boxes_[order_[0][i]], boxes_[order_[1][i]], boxes_[order_[2][i]]};
+  }
+  Keys keys(std::uint32_t i) const {
+    return Keys{keys_[order_[0][i]][0], keys_[order_[1][i]][1], keys_[order_[2][i]][2], 0};
+  }
+
+  const LaneBox* boxes_;
+  const Keys* keys_;
+  std::uint32_t count_;
+  std::uint8_t order_[3][few_leaves];
+};
+
+} // namespace masu

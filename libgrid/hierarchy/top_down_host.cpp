@@ -1,0 +1,239 @@
+#include "libgrid/hierarchy/top_down_host.h"
+
+#include "libgrid/hierarchy/split_lanes.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+namespace masu {
+
+namespace {
+
+// A leaf in registers: its box, and in the last lanes the rest.
+LaneBox box_of(const BinaryNode& leaf) {
+  LaneBox record;
+  std::memcpy(static_cast<void*>(&record), &leaf, sizeof leaf);
+  return record;
+}
+void put(const LaneBox& record, BinaryNode& to) {
+  std::memcpy(static_cast<void*>(&to), &record, sizeof to);
+}
+
+// Calls act(a constant) for an axis; not for none.
+template <class Act>
+void with_axis(std::int32_t axis, const Act& act) {
+  if (axis == 0) act(std::integral_constant<int, 0>{});
+  if (axis == 1) act(std::integral_constant<int, 1>{});
+  if (axis == 2) act(std::integral_constant<int, 2>{});
+}
+
+LeafSplit cheapest_of_few(const BinaryNode* leaves, std::uint32_t count) {
+  LaneBox boxes[few_leaves];
+  Lanes4 centres[few_leaves];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    boxes[i] = box_of(leaves[i]);
+    centres[i] = boxes[i].low + boxes[i].high;
+  }
+  const SortedFew sorted(boxes, centres, count);
+  const AxisSplit split = sorted.cheapest_split();
+  if (split.axis < 0) return {};
+  return {split.cost, split.axis, sorted.key(split)};
+}
+
+LeafSplit cheapest_of_many(const BinaryNode* leaves, std::uint32_t count, const Boxf& space) {
+  const LeafSample sample(count);
+  LaneBox around;
+  sample.for_each(0, 1, [&](std::uint32_t i, std::uint32_t) {
+    const LaneBox box = box_of(leaves[i]);
+    const Lanes4 centre = box.low + box.high;
+    around.join({centre, centre});
+  });
+  const Boxf centres{{around.low[0], around.low[1], around.low[2]},
+                     {around.high[0], around.high[1], around.high[2]}};
+  const LeafBins along[] = {
+      {sample, centres, space, 0}, {sample, centres, space, 1}, {sample, centres, space, 2}};
+  const std::int32_t bin_count = along[0].count, last = bin_count - 1;
+  AxisBin bins[max_bins];
+  for (std::int32_t i = 0; i < bin_count; ++i)
+    bins[i].clear();
+  // The last lane: far from numbers so small that arithmetic is slow.
+  const Lanes4 low = {along[0].low, along[1].low, along[2].low, 1},
+               per_unit = {along[0].per_unit, along[1].per_unit, along[2].per_unit, 0};
+  sample.for_each(0, 1, [&](std::uint32_t i, std::uint32_t stands_for) {
+    const LaneBox box = box_of(leaves[i]);
+    WholeLanes4 in = __builtin_convertvector((box.low + box.high - low) * per_unit, WholeLanes4);
+    in = in < 0 ? WholeLanes4{} : in;
+    in = in > last ? WholeLanes4{} + last : in;
+    for (int axis = 0; axis < 3; ++axis) {
+      AxisBin& bin = bins[in[axis]];
+      bin.join(axis, box);
+      bin.begin[axis] += static_cast<std::int32_t>(stands_for);
+    }
+  });
+  for (std::int32_t i = 0; i < bin_count; ++i)
+    std::copy_n(bins[i].begin, 4, bins[i].end);
+  const AxisSplit split = cheapest_split(bins, bin_count);
+  if (split.axis < 0) return {};
+  return {split.cost, split.axis, along[split.axis].end(split.number)};
+}
+
+// Leaves of a node: from `first` on of all, wherever they are at the time.
+struct PlacedLeaves {
+  BinaryNode* leaves;
+  std::uint32_t first, count;
+};
+
+// A pair of nodes that is split before leaf s is nodes 2 s and 2 s + 1. So a range of leaves has all of the
+// nodes below its own to itself: until they are made, their second half holds its leaves, too.
+class TopDownBuilder {
+public:
+  TopDownBuilder(HostArray<BinaryNode> leaves, const ProgressMonitor* progress)
+      : leaves_(std::move(leaves)), nodes_(2 * leaves_.size()), choices_(nodes_.size()), progress_(progress) {
+  }
+
+  BinaryHierarchy<TbbExecutor> build(const Boxd& space) {
+    const auto count = static_cast<std::uint32_t>(leaves_.size());
+    if (count == 0) return {};
+    build({leaves_.data(), 0, count}, twice(cast<float>(space)), 0, 0);
+    return {std::move(nodes_), std::move(choices_)};
+  }
+
+private:
+  static constexpr std::uint32_t leaves_per_task = 4096, leaves_of_all_cores = 1 << 15,
+                                 leaves_per_chunk = 1 << 13;
+
+  CollapseCosts build(PlacedLeaves range, const Boxf& space, std::size_t depth, std::uint32_t number) {
+    BinaryNode& node = nodes_[number];
+    if (range.count == 1) {
+      node = *range.leaves;
+      return with_choice(number, collapse_costs_of_leaf(node));
+    }
+    LeafSplit split;
+    if (range.count > 2 && range.count <= most_leaves_split(depth))
+      split = range.count <= few_leaves ? cheapest_of_few(range.leaves, range.count)
+                                        : cheapest_of_many(range.leaves, range.count, space);
+    PlacedLeaves left, right;
+    if (range.count > leaves_of_all_cores)
+      partition_by_all_cores(range, split, left, right);
+    else
+      partition(range, split, left, right);
+    const SplitSpaces spaces(space, split);
+    const std::uint32_t pair = 2 * right.first;
+    CollapseCosts left_costs, right_costs;
+    const auto build_left = [&] { left_costs = build(left, spaces.left, depth + 1, pair); };
+    const auto build_right = [&] { right_costs = build(right, spaces.right, depth + 1, pair + 1); };
+    if (range.count > leaves_per_task) {
+      check_progress(progress_);
+      tbb::parallel_invoke(build_left, build_right);
+    } else {
+      build_left();
+      build_right();
+    }
+    const Boxf box = join(nodes_[pair].box(), nodes_[pair + 1].box());
+    node = {box.min, pair, box.max, range.count};
+    return with_choice(number, collapse_costs(node, left_costs, right_costs));
+  }
+
+  CollapseCosts with_choice(std::uint32_t number, const CollapseCosts& costs) {
+    choices_[number] = costs.choice;
+    return costs;
+  }
+
+  // Where a range's leaves may be.
+  BinaryNode* among_leaves(std::uint32_t first) { return leaves_.data() + first; }
+  BinaryNode* among_nodes(std::uint32_t first, std::uint32_t count) {
+    return nodes_.data() + 2 * std::size_t{first} + count;
+  }
+
+  // Both in their order, the left ones first. Where a split is of all or nothing it becomes none.
+  void partition(PlacedLeaves range, LeafSplit& split, PlacedLeaves& left, PlacedLeaves& right) {
+    BinaryNode* const leaves = among_leaves(range.first);
+    if (range.leaves != leaves) std::copy_n(range.leaves, range.count, leaves);
+    BinaryNode* const rest = among_nodes(range.first, range.count);
+    std::uint32_t left_count = 0;
+    with_axis(split.axis, [&](auto axis) {
+      for (std::uint32_t i = 0; i < range.count; ++i) {
+        const LaneBox leaf = box_of(leaves[i]);
+        const bool is_left = twice_the_centre(leaves[i], axis) <= split.place;
+        put(leaf, leaves[left_count]);
+        put(leaf, rest[i - left_count]);
+        left_count += is_left;
+      }
+      for (std::uint32_t i = left_count; i < range.count; ++i)
+        put(box_of(rest[i - left_count]), leaves[i]);
+    });
+    halve_if_one_sided(range, split, left_count);
+    left = {leaves, range.first, left_count};
+    right = {leaves + left_count, range.first + left_count, range.count - left_count};
+  }
+
+  // The same from among leaves to among nodes, or back.
+  void partition_by_all_cores(const PlacedLeaves& range, LeafSplit& split, PlacedLeaves& left,
+                              PlacedLeaves& right) {
+    const std::uint32_t chunks = (range.count + leaves_per_chunk - 1) / leaves_per_chunk;
+    std::vector<std::uint32_t> left_before(chunks + 1);
+    const auto for_each_chunk = [&](const auto& act) {
+      tbb::parallel_for(std::uint32_t{0}, chunks, [&](std::uint32_t c) {
+        check_progress(progress_);
+        act(c, c * leaves_per_chunk, std::min(range.count, (c + 1) * leaves_per_chunk));
+      });
+    };
+    for_each_chunk([&](std::uint32_t c, std::uint32_t begin, std::uint32_t end) {
+      with_axis(split.axis, [&](auto axis) {
+        std::uint32_t left_here = 0;
+        for (std::uint32_t i = begin; i != end; ++i)
+          left_here += twice_the_centre(range.leaves[i], axis) <= split.place;
+        left_before[c + 1] = left_here;
+      });
+    });
+    for (std::uint32_t c = 0; c < chunks; ++c)
+      left_before[c + 1] += left_before[c];
+    std::uint32_t left_count = left_before[chunks];
+    halve_if_one_sided(range, split, left_count);
+    const bool to_nodes = range.leaves == among_leaves(range.first);
+    const auto place = [&](std::uint32_t first, std::uint32_t count) -> PlacedLeaves {
+      return {to_nodes ? among_nodes(first, count) : among_leaves(first), first, count};
+    };
+    left = place(range.first, left_count);
+    right = place(range.first + left_count, range.count - left_count);
+    for_each_chunk([&](std::uint32_t c, std::uint32_t begin, std::uint32_t end) {
+      if (split.axis < 0) {
+        for (std::uint32_t i = begin; i != end; ++i)
+          put(box_of(range.leaves[i]), i < left_count ? left.leaves[i] : right.leaves[i - left_count]);
+      }
+      with_axis(split.axis, [&](auto axis) {
+        std::uint32_t to_left = left_before[c];
+        for (std::uint32_t i = begin; i != end; ++i) {
+          const LaneBox leaf = box_of(range.leaves[i]);
+          const bool is_left = twice_the_centre(range.leaves[i], axis) <= split.place;
+          put(leaf, is_left ? left.leaves[to_left] : right.leaves[i - to_left]);
+          to_left += is_left;
+        }
+      });
+    });
+  }
+
+  static void halve_if_one_sided(const PlacedLeaves& range, LeafSplit& split, std::uint32_t& left_count) {
+    if (left_count != 0 && left_count != range.count) return;
+    split.axis = -1;
+    left_count = range.count / 2;
+  }
+
+  HostArray<BinaryNode> leaves_, nodes_;
+  HostArray<CollapseChoice> choices_;
+  const ProgressMonitor* progress_;
+};
+
+} // namespace
+
+BinaryHierarchy<TbbExecutor> top_down_hierarchy(HostArray<BinaryNode> leaves, const Boxd& space,
+                                                const ProgressMonitor* progress) {
+  return TopDownBuilder(std::move(leaves), progress).build(space);
+}
+
+} // namespace masu
