@@ -240,11 +240,12 @@ public:
 private:
   // Found out by the first chunk that is traced.
   RayLoop loop_for(const RayList& rays) {
-    std::call_once(loop_found_, [&] {
-      if (tracer_.device() == Device::cuda && tracer_.structure() != nullptr)
-        loop_ = automatic_loop(tracer_, rays, job_.request.query, job_.request.tracing.precision);
-    });
-    return loop_;
+    const std::lock_guard lock(choosing_loop_); // not std::call_once: see render_views.cpp
+    if (!loop_)
+      loop_ = tracer_.device() == Device::cuda && tracer_.structure() != nullptr
+                  ? automatic_loop(tracer_, rays, job_.request.query, job_.request.tracing.precision)
+                  : RayLoop::warp_refill;
+    return *loop_;
   }
 
   // Collective: whether the hits are there, by rank 0.
@@ -293,8 +294,8 @@ private:
   std::optional<ExcludedFile> excluded_;
   std::optional<PartedFile> hits_;   // where this process writes them alone
   std::optional<SharedFile> shared_; // else
-  std::once_flag loop_found_;
-  RayLoop loop_ = RayLoop::warp_refill;
+  std::mutex choosing_loop_;
+  std::optional<RayLoop> loop_;
   std::mutex mutex_; // of what follows
   TracingReport report_;
 };

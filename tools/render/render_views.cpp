@@ -236,7 +236,9 @@ private:
   Precision precision_of(std::size_t view, const FrameRequest& frame) {
     if (frame.tracing.precision != Precision::automatic) return frame.tracing.precision;
     ChosenPrecision& chosen = precisions_[view];
-    std::call_once(chosen.once, [&] { chosen.view = view_precision(tracer_, frame); });
+    // Not std::call_once: glibc needs memory to let an exception through it, and aborts without.
+    const std::lock_guard lock(chosen.choosing);
+    if (!chosen.view) chosen.view = view_precision(tracer_, frame);
     return chosen.view->precision;
   }
 
@@ -328,7 +330,7 @@ private:
   std::mutex mutex_; // of what follows
   std::vector<Output> outputs_;
   struct ChosenPrecision {
-    std::once_flag once;
+    std::mutex choosing;
     std::optional<ViewPrecision> view;
   };
 
