@@ -242,7 +242,7 @@ template <class Executor>
 ArrayOf<Executor, NodePlace>
 write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<Executor>& level,
             const CollapsedLevel<Executor>* below, const ArrayOf<Executor, NodePlace>& places,
-            ExecutorStructure<Executor>& grid) {
+            ExecutorStructure<Executor>& structure) {
   auto child_places = executor.template array<NodePlace>(below != nullptr ? below->roots.size() : 0);
   const std::uint32_t *const root = level.roots.data(), *const first_child = level.first_child.data(),
                              *const child_size = below != nullptr ? below->sizes.data() : nullptr,
@@ -250,8 +250,8 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
   const CollapsedNode* const node = level.nodes.data();
   const NodePlace* const place = places.data();
   NodePlace* const child_place = child_places.data();
-  HierarchyNode* const nodes = grid.nodes.data();
-  PrimitiveIndex* const references = grid.references.data();
+  HierarchyNode* const nodes = structure.nodes.data();
+  PrimitiveIndex* const references = structure.references.data();
   executor.for_each(level.roots.size(), [=] MASU_PASS(std::uint64_t i) {
     const std::uint32_t children = first_child[i + 1] - first_child[i];
     NodePlace next{place[i].first_node, place[i].first_node + children, place[i].first_reference};
@@ -270,10 +270,10 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
 template <class Executor>
 ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLayout& layout,
                                                 const BinaryHierarchy<Executor>& from) {
-  ExecutorStructure<Executor> grid{{layout.space, {1, 1, 1}, layout.margin}, StructureKind::hierarchy};
+  ExecutorStructure<Executor> structure{{layout.space, {1, 1, 1}, layout.margin}, StructureKind::hierarchy};
   if (from.nodes.size() == 0) {
-    grid.nodes = executor.template zeros<HierarchyNode>(1);
-    return grid;
+    structure.nodes = executor.template zeros<HierarchyNode>(1);
+    return structure;
   }
   const BinaryView binary{from.nodes.data(), from.choices.data()};
   std::vector<CollapsedLevel<Executor>> levels;
@@ -285,14 +285,14 @@ ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLa
   };
   for (std::size_t level = levels.size(); level-- > 0;)
     count_subtrees(executor, levels[level], below(level));
-  grid.nodes = executor.template array<HierarchyNode>(executor.value(levels[0].sizes, 0));
-  grid.references = executor.template array<PrimitiveIndex>(executor.value(from.nodes, 0).count);
+  structure.nodes = executor.template array<HierarchyNode>(executor.value(levels[0].sizes, 0));
+  structure.references = executor.template array<PrimitiveIndex>(executor.value(from.nodes, 0).count);
   auto places = executor.template array<NodePlace>(1);
   NodePlace* const root = places.data();
   executor.for_each(1, [=] MASU_PASS(std::uint64_t) { *root = {0, 1, 0}; });
   for (std::size_t level = 0; level < levels.size(); ++level)
-    places = write_level(executor, binary, levels[level], below(level), places, grid);
-  return grid;
+    places = write_level(executor, binary, levels[level], below(level), places, structure);
+  return structure;
 }
 
 } // namespace masu
