@@ -19,7 +19,9 @@ namespace {
 constexpr int usual_port = 8765;
 
 struct Settings {
-  ViewerSettings viewer;
+  std::string scene, demo;
+  std::vector<std::string> grids;
+  Precision precision = Precision::automatic;
   Backend backend = Backend::automatic;
   std::string address = "127.0.0.1";
   int port = -1; // the usual one, or any that is free
@@ -71,16 +73,12 @@ void print_address(const Settings& settings, int port, const std::string& token,
                "127.0.0.1 are safer\n");
 }
 
-// Instead of serving.
-void export_file(const Settings& settings, const ViewerSettings& viewed) {
+void check_export(const Settings& settings) {
   if (!settings.exported.path.ends_with(".html"))
     throw Error(ErrorCode::usage, settings.exported.path, "is a page: give a name that ends in .html");
-  std::vector<std::string> inputs = viewed.grids;
-  inputs.push_back(viewed.scene);
+  std::vector<std::string> inputs = settings.grids;
+  inputs.push_back(settings.scene);
   check_files(inputs, {settings.exported.path});
-  const Viewer viewer(viewed);
-  Progress progress("exporting", settings.quiet);
-  export_page(viewer, settings.exported, progress.callback());
 }
 
 void run(Settings& settings) {
@@ -91,12 +89,20 @@ void run(Settings& settings) {
     settings.exported.width = camera.width;
     settings.exported.height = camera.height;
   }
-  check_scene_input(settings.viewer.scene);
+  if (settings.scene.empty() && settings.demo.empty())
+    throw Error(ErrorCode::usage, "SCENE", "is needed, or --demo instead: gridview --demo teapot");
+  const bool is_exported = !settings.exported.path.empty();
+  if (is_exported) check_export(settings);
   const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend);
-  ViewerSettings viewed = settings.viewer;
-  viewed.device = cuda ? Device::cuda : Device::cpu;
-  if (!settings.exported.path.empty()) return export_file(settings, viewed);
+  const auto open = [&] {
+    return Viewer(viewed_files(settings.scene, settings.grids, settings.demo, settings.quiet),
+                  cuda ? Device::cuda : Device::cpu, settings.precision);
+  };
+  if (is_exported) {
+    Progress progress("exporting", settings.quiet);
+    return export_page(open(), settings.exported, progress.callback());
+  }
   const sigset_t signals = block_ending_signals();
   std::thread([signals] { // at once, whatever is being traced
     int signal = 0;
@@ -105,7 +111,7 @@ void run(Settings& settings) {
     std::_Exit(0);
   })
       .detach();
-  const Viewer viewer(viewed);
+  const Viewer viewer = open();
   const std::string token = settings.token || !is_loopback_address(settings.address) ? random_token() : "";
   HttpServer server =
       listening(settings, token, [&viewer](const HttpRequest& request) { return answer(viewer, request); });
@@ -116,11 +122,23 @@ void run(Settings& settings) {
 }
 
 void add_options(const CommandLine& command, Settings& settings) {
-  command.footer("Example:\n  gridview balls.scene balls.grid");
-  command.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin or mesh2bin").required();
-  command.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
-      .required()
-      .values(1, 16);
+  command.footer(
+      "Example:\n  gridview --demo teapot\n  gridview bunny.ply\n  gridview balls.scene balls.grid");
+  const Option scene = command.add_option(
+      "SCENE", settings.scene,
+      "scene file, from nff2bin or mesh2bin; without a GRID also NFF or a mesh that mesh2bin reads");
+  command
+      .add_option(
+          "GRID", settings.grids,
+          "grid files of the scene, from gridbuild; without one a hierarchy and an irregular grid are "
+          "built in memory")
+      .values(0, 16);
+  command
+      .add_option("--demo", settings.demo,
+                  "instead of SCENE: a scene that nffgen makes, and in memory a uniform grid, one merged by "
+                  "balance, an irregular one and a hierarchy")
+      .type_name("NAME")
+      .excludes(scene);
   command.group("Server");
   const Option port =
       command
@@ -152,7 +170,7 @@ void add_options(const CommandLine& command, Settings& settings) {
       .needs(file);
   command.group("Tracing");
   add_backend(command, settings.backend);
-  add_precision(command, settings.viewer.precision);
+  add_precision(command, settings.precision);
   command.add_quiet(settings.quiet, "print the address alone");
   settings.threads.add_to(command);
 }

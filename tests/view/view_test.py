@@ -897,6 +897,54 @@ class Page(unittest.TestCase):
         self.keys(Keys.ESCAPE)
         self.assert_quiet(address)
 
+    # --- Made in memory ---
+
+    def test_a_demo_is_what_the_tools_make_and_leaves_no_file(self):
+        builds = {"uniform": ["--merge", "none"], "balance": ["--merge", "balance"], "irregular": ["--merge", "irregular"], "bvh": ["--structure", "bvh"]}
+        before = sorted(path.name for path in tools.folder.iterdir())
+        with Gridview(tools, "--demo", "tetra") as server:
+            served = json.loads(server.get("/api/scene"))
+            self.show(server=server)
+            command = self.js("toggleCompare(); return command()")
+            self.leave()
+            self.assertRegex(server.text(), r"(?m)^gridview: made in memory: tetra.scene tetra-uniform.grid tetra-balance.grid tetra-irregular.grid tetra-bvh.grid$")
+        self.assertEqual(sorted({*before, "gridview.log"}), sorted(path.name for path in tools.folder.iterdir()))
+        # The page's own commands write what was in memory.
+        steps = command.split(" && ")
+        self.assertEqual(len(steps), 6)
+        for step in steps[:4]:
+            tools.run(*shlex.split(step))
+        for name, options in builds.items():
+            tools.run("gridbuild", "tetra.scene", "-o", f"tetra-{name}.grid", *options)
+        with Gridview(tools, "tetra.scene", *(f"tetra-{name}.grid" for name in builds), "-q") as server:
+            written = json.loads(server.get("/api/scene"))
+        keep = lambda one: {key: value for key, value in one.items() if key not in ("made_by", "upload_seconds")}
+        self.assertEqual([keep(served["scene"]), *map(keep, served["grids"])], [keep(written["scene"]), *map(keep, written["grids"])])
+        self.assertEqual([one["made_by"] for one in written["grids"]], [[]] * 4)
+
+    def test_a_mesh_nff_text_or_a_scene_is_shown_through_structures_made_in_memory(self):
+        (tools.folder / "a mesh.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        tools.run("nffgen", "tetra", "--size", "3", "-o", "small.nff")
+        tools.run("nff2bin", "small.nff", "-o", "given.scene")
+        for given, made in [("a mesh.obj", "a mesh.scene "), ("small.nff", "small.scene "), ("given.scene", "")]:
+            stem = given.rsplit(".", 1)[0]
+            before = sorted(path.name for path in tools.folder.iterdir())
+            try:
+                server = Gridview(tools, given)
+            except AssertionError as error:
+                self.assertIn("mesh2bin", str(error), "a gridview without Assimp")
+                continue
+            with server:
+                served = json.loads(server.get("/api/scene"))
+                self.assertEqual([one["structure"] for one in served["grids"]], ["grid", "bvh"])
+                self.assertIn(f"gridview: made in memory: {made}{stem}-irregular.grid {stem}-bvh.grid\n", server.text())
+                self.assertEqual(sorted({*before, "gridview.log"}), sorted(path.name for path in tools.folder.iterdir()))
+                for words in [*served["scene"]["made_by"], *(words for one in served["grids"] for words in one["made_by"])]:
+                    tools.run(*words)
+            with Gridview(tools, served["scene"]["path"], *(one["path"] for one in served["grids"]), "-q") as server:
+                written = json.loads(server.get("/api/scene"))
+                self.assertEqual([one["hash"] for one in [served["scene"], *served["grids"]]], [one["hash"] for one in [written["scene"], *written["grids"]]])
+
     def test_an_exported_hierarchy(self):
         names = [tools.make_hierarchy(scene[0]), scene[1]]
         tools.run("gridview", scene[0], *names, "--export", "hierarchy.html", "--views", "1", "--size", "160x120", "-q")

@@ -199,7 +199,10 @@ function quoted(word) {
 }
 
 // The commands that make the pictures; of a channel its values, and gridrender's own picture of them; of a cut the slice.
-const command = () => panes.map((pane) => commandOf(pane, pane.index > 0 ? '-2' : '')).join(' && ');
+// Before them what writes the files that were made in memory.
+const command = () => [...new Set(panes.flatMap((pane) => [state.scene.scene, state.scene.grids[pane.settings.grid]]
+  .flatMap(({made_by}) => made_by.map((words) => words.map(quoted).join(' '))))),
+  ...panes.map((pane) => commandOf(pane, pane.index > 0 ? '-2' : ''))].join(' && ');
 function commandOf(pane, suffix) {
   const {scene, grids, precision} = state.scene;
   if (pane.isCut)
