@@ -599,6 +599,31 @@ class Page(unittest.TestCase):
                     self.assertEqual(met, node["boxes_met"])
         self.js("walkPanel.select(walkPanel.lastStep)")
 
+    def assert_sentences(self, grids):
+        """What the plane says of each step, by the numbers of gridtrace: which hit is known, and why the walk goes on."""
+        number = lambda text: float(text.replace("\u2009", ""))
+        for plot, grid in enumerate(grids):
+            printed, hit = self.printed(grid), None
+            for i, step in enumerate(printed["steps"]):
+                self.js("walkPanel.select(arguments[0])", i)
+                text = self.js("return planeView.plots[arguments[0]].sentence.textContent", plot)
+                kept = [test["t"] for test in step["tests"] if test["kept"]]
+                hit = kept[-1] if kept else hit
+                self.assertTrue(text.startswith(f"{'node' if step['node'] else 'cell'} {i + 1}: "), text)
+                self.assertIn(f"{len(step['tests'])} test{'' if len(step['tests']) == 1 else 's'}", text)
+                if node := step["node"]:
+                    self.assertIn(f"{node['boxes_met']} of {node['boxes_met'] + node['boxes_missed'] + node['boxes_beyond']} boxes met", text)
+                    self.assertEqual(f"{node['boxes_beyond']} beyond the hit" in text, node["boxes_beyond"] > 0)
+                self.assertEqual("new hit" in text, bool(kept), text)
+                if at := re.search(r"hit at ([\d.]+)", text):
+                    self.assertAlmostEqual(number(at[1]), hit, delta=0.01 * hit)
+                self.assertEqual("go on" in text, i < len(printed["steps"]) - 1, text)
+                if end := re.search(r"beyond this cell’s end, ([\d.]+)", text):
+                    self.assertAlmostEqual(number(end[1]), step["exit"], delta=0.01 * step["exit"])
+                    self.assertGreater(hit, step["exit"])
+                self.assertEqual("no hit yet" in text, hit is None and i < len(printed["steps"]) - 1, text)
+        self.js("walkPanel.select(walkPanel.lastStep)")
+
     def test_a_ray_is_dragged_through_slices_of_every_structure(self):
         choice = self.chance()
         tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
@@ -944,6 +969,36 @@ class Page(unittest.TestCase):
             with Gridview(tools, served["scene"]["path"], *(one["path"] for one in served["grids"]), "-q") as server:
                 written = json.loads(server.get("/api/scene"))
                 self.assertEqual([one["hash"] for one in [served["scene"], *served["grids"]]], [one["hash"] for one in [written["scene"], *written["grids"]]])
+
+    def test_play_goes_through_the_steps_and_says_what_each_does(self):
+        names = [*scene[1:], tools.make_hierarchy(scene[0])]
+        with Gridview(tools, scene[0], *names, "-q") as server:
+            self.show_plane(server, fragment="#view=plane&slice=y,0.5")
+            self.assert_sentences(names)
+            button = next(one for one in self.browser.find_elements(By.CSS_SELECTOR, "#planes button") if one.text == "Play")
+            button.click()  # from the beginning, where all have ended
+            self.assertEqual([self.js("return walkPanel.step"), button.text], [0, "Pause"])
+            for step in (1, 2):
+                wait_until(lambda: self.js("return walkPanel.step") >= step, "the next step")
+            button.click()
+            step = self.js("return walkPanel.step")
+            self.assertEqual(button.text, "Play")
+            time.sleep(1.7)
+            self.assertEqual(self.js("return walkPanel.step"), step, "it has stopped")
+            self.js("walkPanel.select(walkPanel.lastStep - 1)")
+            button.click()
+            wait_until(lambda: button.text == "Play", "it stops with the walks")
+            self.assertEqual(self.js("return walkPanel.step === walkPanel.lastStep"), True)
+            for width, dark in [(1024, False), (1024, True), (1440, False), (1440, True)]:
+                self.show_plane(server, width, 800, dark, "#view=plane&slice=y,0.5")
+                self.js("walkPanel.select(2)")
+                self.assert_fits(width)
+                self.screenshot(f"sentences-{width}-{'dark' if dark else 'light'}")
+            self.js("togglePlane()")
+            self.wait_sharp()
+            self.pick(0, 0)
+            self.assertRegex(self.find("#walk p.of-pictures").text, r"^cell \d+: .*(nothing nearer can follow|leaves the grid)$")
+            self.leave()
 
     def test_an_exported_hierarchy(self):
         names = [tools.make_hierarchy(scene[0]), scene[1]]
