@@ -1,6 +1,7 @@
 // gridview: a scene and its grids as a page in the browser, served on the loopback address.
 #include "tools/common/backend.h"
 #include "tools/common/cli.h"
+#include "tools/common/number_list.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
@@ -9,8 +10,10 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
+#include <string_view>
 #include <thread>
 
 namespace masu {
@@ -27,6 +30,9 @@ struct Settings {
   int port = -1; // the usual one, or any that is free
   bool token = false, quiet = false;
   std::string size;
+  std::vector<std::string> slices{"x,0.25", "x,0.5",  "x,0.75", "y,0.25", "y,0.5",
+                                  "y,0.75", "z,0.25", "z,0.5",  "z,0.75"};
+  std::vector<std::string> rays;
   ExportSettings exported; // to a file, where it has a path
   Threads threads;
 };
@@ -73,9 +79,26 @@ void print_address(const Settings& settings, int port, const std::string& token,
                "127.0.0.1 are safer\n");
 }
 
-void check_export(const Settings& settings) {
+SharePlane parse_slice(const std::string& text) {
+  const std::size_t axis = text.substr(0, 2).ends_with(',') ? std::string_view("xyz").find(text[0]) : 3;
+  std::array<double, 1> share{};
+  if (axis > 2 || !read_numbers(text.substr(2), ',', share) || !(share[0] >= 0 && share[0] <= 1))
+    throw Error(ErrorCode::usage, "--slices", fmt::format("'{}' isn't an axis and a share, as y,0.5", text));
+  return {static_cast<int>(axis), share[0]};
+}
+
+void check_export(Settings& settings) {
+  for (const std::string& slice : settings.slices)
+    settings.exported.slices.push_back(parse_slice(slice));
+  for (const std::string& ray : settings.rays) {
+    const auto n = parse_numbers<double, 6>("--rays", ray, "X,Y,Z,DX,DY,DZ");
+    settings.exported.rays.push_back(unbounded_ray<double>({n[0], n[1], n[2]}, {n[3], n[4], n[5]}));
+  }
   if (!settings.exported.path.ends_with(".html"))
     throw Error(ErrorCode::usage, settings.exported.path, "is a page: give a name that ends in .html");
+  if (!settings.rays.empty())
+    settings.exported.opens_with =
+        fmt::format("#view=plane&slice={}&ray={}", settings.slices[0], settings.rays[0]);
   std::vector<std::string> inputs = settings.grids;
   inputs.push_back(settings.scene);
   check_files(inputs, {settings.exported.path});
@@ -167,6 +190,21 @@ void add_options(const CommandLine& command, Settings& settings) {
       .needs(file);
   command.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
       .type_name("WxH")
+      .needs(file);
+  command
+      .add_option("--slices", settings.slices,
+                  "of --export: instead of those at 25, 50 and 75 % of each axis; the fewer, the more rays")
+      .type_name("AXIS,SHARE")
+      .values(1, 64)
+      .needs(file);
+  command
+      .add_option("--rays", settings.rays,
+                  "of --export: also to be walked, in the slices; the first is shown")
+      .type_name("X,Y,Z,DX,DY,DZ")
+      .values(1, 64)
+      .needs(file);
+  command
+      .add_number("--boxes", settings.exported.most_boxes, 1, 100000, "of --export: at most, of each depth")
       .needs(file);
   command.group("Tracing");
   add_backend(command, settings.backend);

@@ -922,6 +922,66 @@ class Page(unittest.TestCase):
         self.keys(Keys.ESCAPE)
         self.assert_quiet(address)
 
+    def test_an_exported_page_of_chosen_slices_has_the_rays_that_are_named(self):
+        names = [*scene[1:], tools.make_hierarchy(scene[0])]
+        rays = ["-2.1,0.1,0.3,4.3,0.2,0", "-1.9,-0.2,0.3,3.9,0.1,0"]
+        low, high = json.loads(self.server.get("/api/slice?grid=0&axis=2&share=0"))["range"]
+        slices = [f"z,{(0.3 - low) / (high - low)}", "x,0.5"]
+        tools.run("gridview", scene[0], *names, "--export", "slices.html", "--views", "1", "--size", "64x48", "--boxes", "10",
+                  *[f"--slices={one}" for one in slices], *[f"--rays={ray}" for ray in rays], "-q")
+        self.leave()
+        address = (tools.folder / "slices.html").as_uri()
+        for fragment, wanted in [("", rays[0]), (f"#view=plane&slice={slices[0]}&ray={rays[1]}", rays[1])]:
+            self.browser.get("about:blank")
+            self.browser.get(address + fragment)
+            self.wait_plane()
+            ray = self.js("return walkPanel.ray")
+            for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted.split(","))):
+                self.assertAlmostEqual(a, b)
+            self.assert_walks_in_plane(names)
+            self.assert_sentences(names)
+        # A ray that isn't there is the nearest that is, and says so by its ends; an axis without slices has the nearest one.
+        self.browser.get("about:blank")
+        self.browser.get(f"{address}#view=plane&slice=y,0.2&ray=-1.95,-0.2,0.31,3.9,0.1,0")
+        self.wait_plane()
+        self.assertEqual(self.js("return [state.slice.axis, 'xyz'.indexOf(slicePanel.axis.selectedOptions[0].textContent)]"), [0, 0] if abs(0.2 - 0.5) < abs(0.2 - float(slices[0][2:])) else [2, 2])
+        self.js("location.hash = arguments[0]", f"#view=plane&slice={slices[0]}&ray=-1.95,-0.2,0.31,3.9,0.1,0")
+        wait_until(lambda: self.js("return state.slice.axis") == 2, "the other slice")
+        self.wait_plane()
+        self.assertEqual(self.js("return String([...walkPanel.ray.origin.slice(0, 2)])"), "-1.9,-0.2")
+        self.assert_walks_in_plane(names)
+        self.assert_quiet(address)
+        self.leave()
+        for wrong in [["--slices=q"], ["--slices=y,2"], ["--slices=y,"], ["--slices=y,0.5", "--rays=1,2"], ["--slices=y,0.5", "--rays=0,9,0,1,0,0"], ["--slices=y,0.5", "--rays=0,0,0,1,1,0"]]:
+            with self.assertRaises(subprocess.CalledProcessError) as failed:
+                tools.run("gridview", *scene, "--export", "wrong.html", "--views", "1", "--size", "8x8", *wrong, "-q")
+            self.assertEqual((failed.exception.returncode, failed.exception.stderr.count("\n")), (1, 1), wrong)
+        self.assertFalse((tools.folder / "wrong.html").exists())
+
+    def test_the_documents_page_shows_the_lessons_states(self):
+        docs = pathlib.Path(__file__).resolve().parent.parent.parent / "docs"
+        self.assertLess((docs / "plane.html").stat().st_size, 1_500_000)
+        links = re.findall(r"8765/(#view=plane[^)]*)", (docs / "lesson.md").read_text())
+        self.assertGreater(len(links), 3)
+        self.leave()
+        address = (docs / "plane.html").as_uri()
+        for width, link in [(1440, ""), *((1024, link) for link in links)]:
+            self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+            self.browser.get("about:blank")
+            self.browser.get(address + link)
+            self.wait_plane()
+            grids, ray, slice_ = self.js("return [state.plane.map((grid) => state.scene.grids[grid].name), walkPanel.ray, state.slice]")
+            wanted = dict(part.split("=") for part in link[1:].split("&")) if link else {
+                "grid": "teapot-32.grid,teapot-balance.grid,teapot-irregular.grid,teapot-bvh.grid", "slice": "y,0.5", "ray": "-3.9,0,2.9,7.6,0,-1.4"}
+            self.assertEqual(",".join(grids), wanted["grid"])
+            self.assertEqual([slice_["axis"], slice_["share"]], [1, float(wanted["slice"][2:])])
+            for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted["ray"].split(","))):
+                self.assertAlmostEqual(a, b, delta=1e-4)
+            self.assertTrue(self.js("return planeView.plots.every((plot) => /^\\d+ (cell|node)s?, \\d+ tests?/.test(plot.counts.textContent))"))
+            self.assertFalse(self.find("#missing").is_displayed())
+            self.assert_fits(width)
+        self.assert_quiet(address)
+
     # --- Made in memory ---
 
     def test_a_demo_is_what_the_tools_make_and_leaves_no_file(self):

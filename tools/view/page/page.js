@@ -225,9 +225,9 @@ function describeScene() {
 }
 
 function openAddress() {
-  const {state: {slice, ...read}, scale, walk, zoom, missing} = readAddress(state.scene, location.hash);
+  const {state: {slice, ...read}, scale, walk, zoom, missing} = readAddress(state.scene, location.hash || source.opensWith);
   Object.assign(state, read);
-  Object.assign(state.slice, slice, {share: source.shareOf(slice.share)}); // the slice panel's, too
+  Object.assign(state.slice, slice, source.sliceAt(slice)); // the slice panel's, too
   for (const pane of panes) pane.counts = null; // of another view, perhaps
   planeView.zoom = zoom;
   walkOfPictures = {};
@@ -241,7 +241,7 @@ function openAddress() {
   update();
   if (!walk) return;
   $('walk-all').checked = walk.ray.all;
-  walkPanel.follow(walk.ray, walk.look);
+  walkPanel.follow(source.known(walk.ray), walk.look);
 }
 
 async function begin() {

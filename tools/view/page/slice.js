@@ -36,7 +36,7 @@ class SlicePanel {
 
   set(change) {
     Object.assign(this.settings, change);
-    this.settings.share = this.source.shareOf(this.settings.share);
+    Object.assign(this.settings, this.source.sliceAt(this.settings));
     this.moved();
     this.load();
   }
