@@ -1,6 +1,7 @@
 // gridview: a scene and its grids as a page in the browser, served on the loopback address.
 #include "tools/common/backend.h"
 #include "tools/common/cli.h"
+#include "tools/common/number_list.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
@@ -9,8 +10,10 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
+#include <string_view>
 #include <thread>
 
 namespace masu {
@@ -19,12 +22,17 @@ namespace {
 constexpr int usual_port = 8765;
 
 struct Settings {
-  ViewerSettings viewer;
+  std::string scene, demo;
+  std::vector<std::string> grids;
+  Precision precision = Precision::automatic;
   Backend backend = Backend::automatic;
   std::string address = "127.0.0.1";
   int port = -1; // the usual one, or any that is free
   bool token = false, quiet = false;
   std::string size;
+  std::vector<std::string> slices{"x,0.25", "x,0.5",  "x,0.75", "y,0.25", "y,0.5",
+                                  "y,0.75", "z,0.25", "z,0.5",  "z,0.75"};
+  std::vector<std::string> rays;
   ExportSettings exported; // to a file, where it has a path
   Threads threads;
 };
@@ -71,16 +79,29 @@ void print_address(const Settings& settings, int port, const std::string& token,
                "127.0.0.1 are safer\n");
 }
 
-// Instead of serving.
-void export_file(const Settings& settings, const ViewerSettings& viewed) {
+SharePlane parse_slice(const std::string& text) {
+  const std::size_t axis = text.substr(0, 2).ends_with(',') ? std::string_view("xyz").find(text[0]) : 3;
+  std::array<double, 1> share{};
+  if (axis > 2 || !read_numbers(text.substr(2), ',', share) || !(share[0] >= 0 && share[0] <= 1))
+    throw Error(ErrorCode::usage, "--slices", fmt::format("'{}' isn't an axis and a share, as y,0.5", text));
+  return {static_cast<int>(axis), share[0]};
+}
+
+void check_export(Settings& settings) {
+  for (const std::string& slice : settings.slices)
+    settings.exported.slices.push_back(parse_slice(slice));
+  for (const std::string& ray : settings.rays) {
+    const auto n = parse_numbers<double, 6>("--rays", ray, "X,Y,Z,DX,DY,DZ");
+    settings.exported.rays.push_back(unbounded_ray<double>({n[0], n[1], n[2]}, {n[3], n[4], n[5]}));
+  }
   if (!settings.exported.path.ends_with(".html"))
     throw Error(ErrorCode::usage, settings.exported.path, "is a page: give a name that ends in .html");
-  std::vector<std::string> inputs = viewed.grids;
-  inputs.push_back(viewed.scene);
+  if (!settings.rays.empty())
+    settings.exported.opens_with =
+        fmt::format("#view=plane&slice={}&ray={}", settings.slices[0], settings.rays[0]);
+  std::vector<std::string> inputs = settings.grids;
+  inputs.push_back(settings.scene);
   check_files(inputs, {settings.exported.path});
-  const Viewer viewer(viewed);
-  Progress progress("exporting", settings.quiet);
-  export_page(viewer, settings.exported, progress.callback());
 }
 
 void run(Settings& settings) {
@@ -91,12 +112,20 @@ void run(Settings& settings) {
     settings.exported.width = camera.width;
     settings.exported.height = camera.height;
   }
-  check_scene_input(settings.viewer.scene);
+  if (settings.scene.empty() && settings.demo.empty())
+    throw Error(ErrorCode::usage, "SCENE", "is needed, or --demo instead: gridview --demo teapot");
+  const bool is_exported = !settings.exported.path.empty();
+  if (is_exported) check_export(settings);
   const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend);
-  ViewerSettings viewed = settings.viewer;
-  viewed.device = cuda ? Device::cuda : Device::cpu;
-  if (!settings.exported.path.empty()) return export_file(settings, viewed);
+  const auto open = [&] {
+    return Viewer(viewed_files(settings.scene, settings.grids, settings.demo, settings.quiet),
+                  cuda ? Device::cuda : Device::cpu, settings.precision);
+  };
+  if (is_exported) {
+    Progress progress("exporting", settings.quiet);
+    return export_page(open(), settings.exported, progress.callback());
+  }
   const sigset_t signals = block_ending_signals();
   std::thread([signals] { // at once, whatever is being traced
     int signal = 0;
@@ -105,7 +134,7 @@ void run(Settings& settings) {
     std::_Exit(0);
   })
       .detach();
-  const Viewer viewer(viewed);
+  const Viewer viewer = open();
   const std::string token = settings.token || !is_loopback_address(settings.address) ? random_token() : "";
   HttpServer server =
       listening(settings, token, [&viewer](const HttpRequest& request) { return answer(viewer, request); });
@@ -116,11 +145,23 @@ void run(Settings& settings) {
 }
 
 void add_options(const CommandLine& command, Settings& settings) {
-  command.footer("Example:\n  gridview balls.scene balls.grid");
-  command.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin or mesh2bin").required();
-  command.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
-      .required()
-      .values(1, 16);
+  command.footer(
+      "Example:\n  gridview --demo teapot\n  gridview bunny.ply\n  gridview balls.scene balls.grid");
+  const Option scene = command.add_option(
+      "SCENE", settings.scene,
+      "scene file, from nff2bin or mesh2bin; without a GRID also NFF, OBJ, PLY, STL or OFF");
+  command
+      .add_option(
+          "GRID", settings.grids,
+          "grid files of the scene, from gridbuild; without one a hierarchy and an irregular grid are "
+          "built in memory")
+      .values(0, 16);
+  command
+      .add_option("--demo", settings.demo,
+                  "instead of SCENE: a scene that nffgen makes, and in memory a uniform grid, one merged by "
+                  "balance, an irregular one and a hierarchy")
+      .type_name("NAME")
+      .excludes(scene);
   command.group("Server");
   const Option port =
       command
@@ -150,9 +191,24 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
       .type_name("WxH")
       .needs(file);
+  command
+      .add_option("--slices", settings.slices,
+                  "of --export: instead of those at 25, 50 and 75 % of each axis; the fewer, the more rays")
+      .type_name("AXIS,SHARE")
+      .values(1, 64)
+      .needs(file);
+  command
+      .add_option("--rays", settings.rays,
+                  "of --export: also to be walked, in the slices; the first is shown")
+      .type_name("X,Y,Z,DX,DY,DZ")
+      .values(1, 64)
+      .needs(file);
+  command
+      .add_number("--boxes", settings.exported.most_boxes, 1, 100000, "of --export: at most, of each depth")
+      .needs(file);
   command.group("Tracing");
   add_backend(command, settings.backend);
-  add_precision(command, settings.viewer.precision);
+  add_precision(command, settings.precision);
   command.add_quiet(settings.quiet, "print the address alone");
   settings.threads.add_to(command);
 }

@@ -99,25 +99,6 @@ Error ended_by(int signal, const Settings& settings) {
 
 // --- The tool --------------------------------------------------------------------------------------------
 
-void print_notes(const ImportNotes& notes, const std::string& input) {
-  const auto warn = [&](std::uint64_t number, const char* what) {
-    print_warning("mesh2bin", input, number, what);
-  };
-  warn(notes.points_and_lines, "point(s) and line(s) left out");
-  warn(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
-  if (notes.float32_error > 0)
-    print_note(
-        "mesh2bin: {}: warning: Assimp reads this format in float32: coordinates are off by up to {:.2g}; "
-        "convert it to PLY or OBJ, which are read with all digits\n",
-        printable(input), notes.float32_error);
-  warn(notes.unknown_lines, "line(s) left out that are no polygons, groups or materials of an OBJ");
-  warn(notes.missing_libraries, "material file(s) not found: what they describe is grey");
-  warn(notes.trailing_bytes, "byte(s) after the last face left out");
-  warn(notes.textured_materials, "material(s) have textures, which are ignored: only base colours are used");
-  warn(notes.omitted_cameras, "camera(s) left out: only the first is used, if it is a perspective camera");
-  warn(notes.omitted_lights, "light(s) left out: not point, spot, area or directional lights");
-}
-
 // One per line: line N + 1 for object N.
 void write_names(const std::vector<std::string>& names, const std::string& path) {
   std::string text;
@@ -147,7 +128,7 @@ void run(Settings& settings) {
     return read_mesh(settings.input, options);
   }();
   check_files(limits.files(), {settings.output.path, settings.objects});
-  print_notes(imported.notes, settings.input);
+  print_warnings("mesh2bin", settings.input, imported.notes);
   write_and_report("mesh2bin", settings.input, imported.scene, settings.output);
   if (!settings.objects.empty()) write_names(imported.object_names, settings.objects);
 }

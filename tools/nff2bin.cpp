@@ -1,14 +1,10 @@
 // nff2bin: converts NFF text to a scene file, and reports the content of either.
-#include "libscene/file/input_file.h"
 #include "libscene/mesh/tessellate.h"
 #include "libscene/nff/nff.h"
 #include "tools/common/progress.h"
 #include "tools/report/scene_report.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <filesystem>
 #include <utility>
 
 namespace masu {
@@ -21,15 +17,6 @@ struct Settings {
   bool quiet = false;
   Threads threads;
 };
-
-bool is_scene_file(const std::string& path) {
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(path, unknown)) return false; // pipes are read once
-  const InputFile file(path);
-  std::array<std::uint8_t, std::tuple_size_v<decltype(FileKind::magic)>> begin{};
-  if (file.size() >= begin.size()) file.read(0, begin);
-  return std::ranges::equal(begin, scene_file_kind.magic);
-}
 
 // The error message for an N of --tessellate; empty where it is valid.
 std::string check_facets(const std::string& text) {

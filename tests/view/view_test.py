@@ -599,6 +599,31 @@ class Page(unittest.TestCase):
                     self.assertEqual(met, node["boxes_met"])
         self.js("walkPanel.select(walkPanel.lastStep)")
 
+    def assert_sentences(self, grids):
+        """What the plane says of each step, by the numbers of gridtrace: which hit is known, and why the walk goes on."""
+        number = lambda text: float(text.replace("\u2009", ""))
+        for plot, grid in enumerate(grids):
+            printed, hit = self.printed(grid), None
+            for i, step in enumerate(printed["steps"]):
+                self.js("walkPanel.select(arguments[0])", i)
+                text = self.js("return planeView.plots[arguments[0]].sentence.textContent", plot)
+                kept = [test["t"] for test in step["tests"] if test["kept"]]
+                hit = kept[-1] if kept else hit
+                self.assertTrue(text.startswith(f"{'node' if step['node'] else 'cell'} {i + 1}: "), text)
+                self.assertIn(f"{len(step['tests'])} test{'' if len(step['tests']) == 1 else 's'}", text)
+                if node := step["node"]:
+                    self.assertIn(f"{node['boxes_met']} of {node['boxes_met'] + node['boxes_missed'] + node['boxes_beyond']} boxes met", text)
+                    self.assertEqual(f"{node['boxes_beyond']} beyond the hit" in text, node["boxes_beyond"] > 0)
+                self.assertEqual("new hit" in text, bool(kept), text)
+                if at := re.search(r"hit at ([\d.]+)", text):
+                    self.assertAlmostEqual(number(at[1]), hit, delta=0.01 * hit)
+                self.assertEqual("go on" in text, i < len(printed["steps"]) - 1, text)
+                if end := re.search(r"beyond this cell’s end, ([\d.]+)", text):
+                    self.assertAlmostEqual(number(end[1]), step["exit"], delta=0.01 * step["exit"])
+                    self.assertGreater(hit, step["exit"])
+                self.assertEqual("no hit yet" in text, hit is None and i < len(printed["steps"]) - 1, text)
+        self.js("walkPanel.select(walkPanel.lastStep)")
+
     def test_a_ray_is_dragged_through_slices_of_every_structure(self):
         choice = self.chance()
         tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
@@ -896,6 +921,139 @@ class Page(unittest.TestCase):
         self.assertIn("orbit", self.find("#keys-list").text)
         self.keys(Keys.ESCAPE)
         self.assert_quiet(address)
+
+    def test_an_exported_page_of_chosen_slices_has_the_rays_that_are_named(self):
+        names = [*scene[1:], tools.make_hierarchy(scene[0])]
+        rays = ["-2.1,0.1,0.3,4.3,0.2,0", "-1.9,-0.2,0.3,3.9,0.1,0"]
+        low, high = json.loads(self.server.get("/api/slice?grid=0&axis=2&share=0"))["range"]
+        slices = [f"z,{(0.3 - low) / (high - low)}", "x,0.5"]
+        tools.run("gridview", scene[0], *names, "--export", "slices.html", "--views", "1", "--size", "64x48", "--boxes", "10",
+                  *[f"--slices={one}" for one in slices], *[f"--rays={ray}" for ray in rays], "-q")
+        self.leave()
+        address = (tools.folder / "slices.html").as_uri()
+        for fragment, wanted in [("", rays[0]), (f"#view=plane&slice={slices[0]}&ray={rays[1]}", rays[1])]:
+            self.browser.get("about:blank")
+            self.browser.get(address + fragment)
+            self.wait_plane()
+            ray = self.js("return walkPanel.ray")
+            for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted.split(","))):
+                self.assertAlmostEqual(a, b)
+            self.assert_walks_in_plane(names)
+            self.assert_sentences(names)
+        # A ray that isn't there is the nearest that is, and says so by its ends; an axis without slices has the nearest one.
+        self.browser.get("about:blank")
+        self.browser.get(f"{address}#view=plane&slice=y,0.2&ray=-1.95,-0.2,0.31,3.9,0.1,0")
+        self.wait_plane()
+        self.assertEqual(self.js("return [state.slice.axis, 'xyz'.indexOf(slicePanel.axis.selectedOptions[0].textContent)]"), [0, 0] if abs(0.2 - 0.5) < abs(0.2 - float(slices[0][2:])) else [2, 2])
+        self.js("location.hash = arguments[0]", f"#view=plane&slice={slices[0]}&ray=-1.95,-0.2,0.31,3.9,0.1,0")
+        wait_until(lambda: self.js("return state.slice.axis") == 2, "the other slice")
+        self.wait_plane()
+        self.assertEqual(self.js("return String([...walkPanel.ray.origin.slice(0, 2)])"), "-1.9,-0.2")
+        self.assert_walks_in_plane(names)
+        self.assert_quiet(address)
+        self.leave()
+        for wrong in [["--slices=q"], ["--slices=y,2"], ["--slices=y,"], ["--slices=y,0.5", "--rays=1,2"], ["--slices=y,0.5", "--rays=0,9,0,1,0,0"], ["--slices=y,0.5", "--rays=0,0,0,1,1,0"]]:
+            with self.assertRaises(subprocess.CalledProcessError) as failed:
+                tools.run("gridview", *scene, "--export", "wrong.html", "--views", "1", "--size", "8x8", *wrong, "-q")
+            self.assertEqual((failed.exception.returncode, failed.exception.stderr.count("\n")), (1, 1), wrong)
+        self.assertFalse((tools.folder / "wrong.html").exists())
+
+    def test_the_documents_page_shows_the_lessons_states(self):
+        docs = pathlib.Path(__file__).resolve().parent.parent.parent / "docs"
+        self.assertLess((docs / "plane.html").stat().st_size, 1_500_000)
+        links = re.findall(r"8765/(#view=plane[^)]*)", (docs / "lesson.md").read_text())
+        self.assertGreater(len(links), 3)
+        self.leave()
+        address = (docs / "plane.html").as_uri()
+        for width, link in [(1440, ""), *((1024, link) for link in links)]:
+            self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+            self.browser.get("about:blank")
+            self.browser.get(address + link)
+            self.wait_plane()
+            grids, ray, slice_ = self.js("return [state.plane.map((grid) => state.scene.grids[grid].name), walkPanel.ray, state.slice]")
+            wanted = dict(part.split("=") for part in link[1:].split("&")) if link else {
+                "grid": "teapot-32.grid,teapot-balance.grid,teapot-irregular.grid,teapot-bvh.grid", "slice": "y,0.5", "ray": "-3.9,0,2.9,7.6,0,-1.4"}
+            self.assertEqual(",".join(grids), wanted["grid"])
+            self.assertEqual([slice_["axis"], slice_["share"]], [1, float(wanted["slice"][2:])])
+            for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted["ray"].split(","))):
+                self.assertAlmostEqual(a, b, delta=1e-4)
+            self.assertTrue(self.js("return planeView.plots.every((plot) => /^\\d+ (cell|node)s?, \\d+ tests?/.test(plot.counts.textContent))"))
+            self.assertFalse(self.find("#missing").is_displayed())
+            self.assert_fits(width)
+        self.assert_quiet(address)
+
+    # --- Made in memory ---
+
+    def test_a_demo_is_what_the_tools_make_and_leaves_no_file(self):
+        builds = {"uniform": ["--merge", "none"], "balance": ["--merge", "balance"], "irregular": ["--merge", "irregular"], "bvh": ["--structure", "bvh"]}
+        before = sorted(path.name for path in tools.folder.iterdir())
+        with Gridview(tools, "--demo", "tetra") as server:
+            served = json.loads(server.get("/api/scene"))
+            self.show(server=server)
+            command = self.js("toggleCompare(); return command()")
+            self.leave()
+            self.assertRegex(server.text(), r"(?m)^gridview: made in memory: tetra.scene tetra-uniform.grid tetra-balance.grid tetra-irregular.grid tetra-bvh.grid$")
+        self.assertEqual(sorted({*before, "gridview.log"}), sorted(path.name for path in tools.folder.iterdir()))
+        # The page's own commands write what was in memory.
+        steps = command.split(" && ")
+        self.assertEqual(len(steps), 6)
+        for step in steps[:4]:
+            tools.run(*shlex.split(step))
+        for name, options in builds.items():
+            tools.run("gridbuild", "tetra.scene", "-o", f"tetra-{name}.grid", *options)
+        with Gridview(tools, "tetra.scene", *(f"tetra-{name}.grid" for name in builds), "-q") as server:
+            written = json.loads(server.get("/api/scene"))
+        keep = lambda one: {key: value for key, value in one.items() if key not in ("made_by", "upload_seconds")}
+        self.assertEqual([keep(served["scene"]), *map(keep, served["grids"])], [keep(written["scene"]), *map(keep, written["grids"])])
+        self.assertEqual([one["made_by"] for one in written["grids"]], [[]] * 4)
+
+    def test_a_mesh_nff_text_or_a_scene_is_shown_through_structures_made_in_memory(self):
+        (tools.folder / "a mesh.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        tools.run("nffgen", "tetra", "--size", "3", "-o", "small.nff")
+        tools.run("nff2bin", "small.nff", "-o", "given.scene")
+        for given, made in [("a mesh.obj", "a mesh.scene "), ("small.nff", "small.scene "), ("given.scene", "")]:
+            stem = given.rsplit(".", 1)[0]
+            before = sorted(path.name for path in tools.folder.iterdir())
+            with Gridview(tools, given) as server:
+                served = json.loads(server.get("/api/scene"))
+                self.assertEqual([one["structure"] for one in served["grids"]], ["grid", "bvh"])
+                self.assertIn(f"gridview: made in memory: {made}{stem}-irregular.grid {stem}-bvh.grid\n", server.text())
+                self.assertEqual(sorted({*before, "gridview.log"}), sorted(path.name for path in tools.folder.iterdir()))
+                for words in [*served["scene"]["made_by"], *(words for one in served["grids"] for words in one["made_by"])]:
+                    tools.run(*words)
+            with Gridview(tools, served["scene"]["path"], *(one["path"] for one in served["grids"]), "-q") as server:
+                written = json.loads(server.get("/api/scene"))
+                self.assertEqual([one["hash"] for one in [served["scene"], *served["grids"]]], [one["hash"] for one in [written["scene"], *written["grids"]]])
+
+    def test_play_goes_through_the_steps_and_says_what_each_does(self):
+        names = [*scene[1:], tools.make_hierarchy(scene[0])]
+        with Gridview(tools, scene[0], *names, "-q") as server:
+            self.show_plane(server, fragment="#view=plane&slice=y,0.5")
+            self.assert_sentences(names)
+            button = next(one for one in self.browser.find_elements(By.CSS_SELECTOR, "#planes button") if one.text == "Play")
+            button.click()  # from the beginning, where all have ended
+            self.assertEqual([self.js("return walkPanel.step"), button.text], [0, "Pause"])
+            for step in (1, 2):
+                wait_until(lambda: self.js("return walkPanel.step") >= step, "the next step")
+            button.click()
+            step = self.js("return walkPanel.step")
+            self.assertEqual(button.text, "Play")
+            time.sleep(1.7)
+            self.assertEqual(self.js("return walkPanel.step"), step, "it has stopped")
+            self.js("walkPanel.select(walkPanel.lastStep - 1)")
+            button.click()
+            wait_until(lambda: button.text == "Play", "it stops with the walks")
+            self.assertEqual(self.js("return walkPanel.step === walkPanel.lastStep"), True)
+            for width, dark in [(1024, False), (1024, True), (1440, False), (1440, True)]:
+                self.show_plane(server, width, 800, dark, "#view=plane&slice=y,0.5")
+                self.js("walkPanel.select(2)")
+                self.assert_fits(width)
+                self.screenshot(f"sentences-{width}-{'dark' if dark else 'light'}")
+            self.js("togglePlane()")
+            self.wait_sharp()
+            self.pick(0, 0)
+            self.assertRegex(self.find("#walk p.of-pictures").text, r"^cell \d+: .*(nothing nearer can follow|leaves the grid)$")
+            self.leave()
 
     def test_an_exported_hierarchy(self):
         names = [tools.make_hierarchy(scene[0]), scene[1]]

@@ -44,6 +44,15 @@ void check_files(const std::vector<std::string>& inputs, const std::vector<std::
   }
 }
 
+bool is_scene_file(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) return false;
+  std::ifstream stream(path, std::ios::binary);
+  auto magic = scene_file_kind.magic;
+  return stream.read(magic.data(), static_cast<std::streamsize>(magic.size())) &&
+         magic == scene_file_kind.magic;
+}
+
 void check_scene_input(const std::string& path) {
   constexpr std::string_view meshes[] = {".3ds", ".3mf", ".blend", ".dae", ".fbx", ".glb", ".gltf", ".lwo",
                                          ".obj", ".off", ".ply",   ".stl", ".x3d", ".ase", ".dxf",  ".ms3d"};
@@ -54,11 +63,7 @@ void check_scene_input(const std::string& path) {
   const bool is_mesh = std::ranges::find(meshes, ending) != std::end(meshes);
   std::error_code failed;
   if ((!is_mesh && ending != ".nff") || !std::filesystem::is_regular_file(file, failed)) return;
-  std::ifstream stream(path, std::ios::binary);
-  auto magic = scene_file_kind.magic;
-  if (!stream.is_open() || (stream.read(magic.data(), static_cast<std::streamsize>(magic.size())) &&
-                            magic == scene_file_kind.magic))
-    return;
+  if (!std::ifstream(path).is_open() || is_scene_file(path)) return;
   throw Error(ErrorCode::input, path,
               fmt::format("isn't a scene file but {}: convert it first: {} {} -o {}",
                           is_mesh ? "a mesh" : "NFF text", is_mesh ? "mesh2bin" : "nff2bin", path,

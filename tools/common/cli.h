@@ -18,6 +18,9 @@ namespace masu {
 // Empty names are ignored; - is standard input or output (output_file.h). Throws Error(usage, output, …).
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
+// Of a regular file that can be read: whether it begins as scene files do. Pipes, which are read once, don't.
+bool is_scene_file(const std::string& path);
+
 // Throws Error(input, path, …) for an NFF text or a mesh that is given for a scene file, by the name's end:
 // with the command that makes a scene file of it. Says nothing of other files, nor of those that can't be
 // read or begin as scene files do.

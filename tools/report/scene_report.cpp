@@ -257,13 +257,9 @@ void print(const Report& report, bool json) {
     print_table(report);
 }
 
-void print_warnings(const char* tool, const std::string& input, const SceneWarnings& warnings) {
-  const auto warn = [&](std::uint64_t number, const char* what) { print_warning(tool, input, number, what); };
-  warn(warnings.degenerate_polygons, "polygon(s) without area, which no ray can hit");
-  warn(warnings.degenerate_triangles, "vertices on triangles without area left out");
-  warn(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
-  warn(warnings.degenerate_cones, "cone(s) without length or without radius left out");
-  warn(warnings.self_crossing_polygons, "polygon(s) cross themselves: triangulated as well as possible");
+// What a tool couldn't take from its input as it was: a line, unless `number` is 0.
+void print_warning(const char* tool, const std::string& input, std::uint64_t number, const char* what) {
+  if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
 }
 
 // Of --origin; nothing for auto. Throws Error(usage).
@@ -273,10 +269,6 @@ std::optional<Vec3d> wanted_origin(const std::string& text) {
 }
 
 } // namespace
-
-void print_warning(const char* tool, const std::string& input, std::uint64_t number, const char* what) {
-  if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
-}
 
 void SceneOutput::add_to(const CommandLine& command) {
   command.group("Scene file");
@@ -304,6 +296,31 @@ void SceneOutput::check() const {
   if (info && is_standard_output(path))
     throw Error(ErrorCode::usage, "--info", "would be mixed with the scene on standard output: name a file");
   static_cast<void>(wanted_origin(origin));
+}
+
+void print_warnings(const char* tool, const std::string& input, const SceneWarnings& warnings) {
+  const auto warn = [&](std::uint64_t number, const char* what) { print_warning(tool, input, number, what); };
+  warn(warnings.degenerate_polygons, "polygon(s) without area, which no ray can hit");
+  warn(warnings.degenerate_triangles, "vertices on triangles without area left out");
+  warn(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
+  warn(warnings.degenerate_cones, "cone(s) without length or without radius left out");
+  warn(warnings.self_crossing_polygons, "polygon(s) cross themselves: triangulated as well as possible");
+}
+
+void print_warnings(const char* tool, const std::string& input, const ImportNotes& notes) {
+  const auto warn = [&](std::uint64_t number, const char* what) { print_warning(tool, input, number, what); };
+  warn(notes.points_and_lines, "point(s) and line(s) left out");
+  warn(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
+  if (notes.float32_error > 0)
+    print_note("{}: {}: warning: Assimp reads this format in float32: coordinates are off by up to {:.2g}; "
+               "convert it to PLY or OBJ, which are read with all digits\n",
+               tool, printable(input), notes.float32_error);
+  warn(notes.unknown_lines, "line(s) left out that are no polygons, groups or materials of an OBJ");
+  warn(notes.missing_libraries, "material file(s) not found: what they describe is grey");
+  warn(notes.trailing_bytes, "byte(s) after the last face left out");
+  warn(notes.textured_materials, "material(s) have textures, which are ignored: only base colours are used");
+  warn(notes.omitted_cameras, "camera(s) left out: only the first is used, if it is a perspective camera");
+  warn(notes.omitted_lights, "light(s) left out: not point, spot, area or directional lights");
 }
 
 void write_and_report(const char* tool, const std::string& input, const Scene& scene,

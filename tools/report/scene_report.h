@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libscene/file/scene_file.h"
+#include "libscene/mesh/files/mesh_file.h"
 #include "tools/common/cli.h"
 
 #include <cstdint>
@@ -23,8 +24,9 @@ struct SceneOutput {
   void check() const;
 };
 
-// What a tool couldn't take from its input as it was: a line on stderr, unless `number` is 0.
-void print_warning(const char* tool, const std::string& input, std::uint64_t number, const char* what);
+// What a tool couldn't take from its input as it was: lines on stderr.
+void print_warnings(const char* tool, const std::string& input, const SceneWarnings& warnings);
+void print_warnings(const char* tool, const std::string& input, const ImportNotes& notes);
 
 // Writes the scene's file, warns on stderr of what `tool` couldn't take from `input` as it was, and prints
 // the report, as `output` has it. Throws as write_scene does.

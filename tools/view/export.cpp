@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace masu {
@@ -20,10 +21,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array slice_shares{0.25, 0.5, 0.75};
-constexpr std::size_t most_slice_cells = 10000, most_boxes = 1000;
+constexpr std::size_t most_slice_cells = 10000;
 constexpr std::array pixel_shares{1, 3, 5}; // sixths of a picture's side: where walks are picked
-constexpr std::size_t points_per_side = 4;  // of a slice, between which rays are walked
+constexpr double points_per_side = 12;      // of a single slice, between which rays are walked
 
 bool is_gone() {
   return false;
@@ -100,18 +100,20 @@ Json walks_json(const Viewer& viewer, const Vec3d& origin, const Vec3d& directio
   return walks;
 }
 
-// Rays in the plane of a slice, from each point on its sides to those of the other sides.
-Json plane_json(const Viewer& viewer, const Json& slice) {
+// Rays in the plane of a slice, from each point on its sides to those of the other sides; and those of `rays`
+// that lie there, which are taken away from them.
+Json plane_json(const Viewer& viewer, const Json& slice, std::size_t per_side,
+                std::vector<Ray<double>>& rays) {
   const auto axis = slice["axis"].get<int>();
+  const auto position = slice["position"].get<double>();
   std::vector<Vec3d> points;
   for (int side = 0; side < 4; ++side) {
-    for (std::size_t i = 0; i < points_per_side; ++i) {
-      const double along =
-          (static_cast<double>(i) + 0.4871) / static_cast<double>(points_per_side); // on no face
+    for (std::size_t i = 0; i < per_side; ++i) {
+      const double along = (static_cast<double>(i) + 0.4871) / static_cast<double>(per_side); // on no face
       const std::array<double, 2> shares =
           side % 2 == 0 ? std::array{side == 0 ? 0.0 : 1.0, along} : std::array{along, side == 1 ? 0.0 : 1.0};
       Vec3d point;
-      point.set(axis, slice["position"].get<double>());
+      point.set(axis, position);
       for (std::size_t k = 0; k < 2; ++k)
         point.set(slice["axes"][k].get<int>(),
                   slice["min"][k].get<double>() +
@@ -119,14 +121,26 @@ Json plane_json(const Viewer& viewer, const Json& slice) {
       points.push_back(point);
     }
   }
-  Json json{{"axis", axis}, {"position", slice["position"]}, {"points", points}, {"walks", Json::array()}};
+  std::vector<std::array<std::size_t, 2>> ends;
   for (std::size_t from = 0; from < points.size(); ++from) {
-    for (std::size_t to = 0; to < points.size(); ++to) {
-      if (from / points_per_side == to / points_per_side) continue;
-      Json walk = walks_json(viewer, points[from], points[to] - points[from], viewer.precision());
-      walk["ends"] = {from, to};
-      json["walks"].push_back(std::move(walk));
-    }
+    for (std::size_t to = 0; to < points.size(); ++to)
+      if (from / per_side != to / per_side) ends.push_back({from, to});
+  }
+  const double near =
+      0.001 * (slice["range"][1].get<double>() - slice["range"][0].get<double>()); // of rounded numbers
+  std::erase_if(rays, [&](Ray<double> ray) {
+    if (ray.direction[axis] != 0 || !(std::abs(ray.origin[axis] - position) <= near)) return false;
+    ray.origin.set(axis, position);
+    ends.push_back({points.size(), points.size() + 1});
+    points.push_back(ray.origin);
+    points.push_back(ray.origin + ray.direction);
+    return true;
+  });
+  Json json{{"axis", axis}, {"position", position}, {"points", points}, {"walks", Json::array()}};
+  for (const auto& [from, to] : ends) {
+    Json walk = walks_json(viewer, points[from], points[to] - points[from], viewer.precision());
+    walk["ends"] = {from, to};
+    json["walks"].push_back(std::move(walk));
   }
   return json;
 }
@@ -159,17 +173,21 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
   Camera camera = viewer.scene().camera();
   camera.width = settings.width;
   camera.height = settings.height;
-  Json data{
-      {"scene", viewer.description()}, {"size", {settings.width, settings.height}}, {"shares", slice_shares}};
+  const std::vector<SharePlane>& planes = settings.slices;
+  const auto most_boxes = static_cast<std::size_t>(settings.most_boxes);
+  const auto per_side = static_cast<std::size_t>(
+      std::max(1.0, std::floor(points_per_side / std::sqrt(static_cast<double>(planes.size())))));
+  Json data{{"scene", viewer.description()},
+            {"size", {settings.width, settings.height}},
+            {"points_per_side", per_side},
+            {"opens_with", settings.opens_with}};
   for (std::size_t grid = 0; grid < viewer.grids(); ++grid) {
     data["statistics"].push_back(viewer.statistics(grid, is_gone));
     const GridLayout finest = finest_layout(viewer.grid(grid).file); // in which voxels lie
     data["layouts"].push_back({{"min", finest.space.min}, {"step", voxel_size(finest)}});
     Json slices = Json::array();
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double share : slice_shares)
-        slices.push_back(viewer.slice({grid, {axis, share}, most_slice_cells}, is_gone));
-    }
+    for (const SharePlane& plane : planes)
+      slices.push_back(viewer.slice({grid, plane, most_slice_cells}, is_gone));
     data["slices"].push_back(std::move(slices));
     Json boxes = Json::array();
     boxes.push_back(viewer.boxes({grid, {}, most_boxes}, is_gone)); // of any depth, then of each
@@ -177,8 +195,13 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
       boxes.push_back(viewer.boxes({grid, depth, most_boxes}, is_gone));
     data["boxes"].push_back(std::move(boxes));
   }
-  for (const Json& slice : data["slices"][0])
-    data["planes"].push_back(plane_json(viewer, slice));
+  std::vector<Ray<double>> rays = settings.rays;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    Json plane = plane_json(viewer, data["slices"][0][i], per_side, rays);
+    plane["share"] = planes[i].share;
+    data["planes"].push_back(std::move(plane));
+  }
+  if (!rays.empty()) throw Error(ErrorCode::usage, "--rays", "has one that lies in no slice");
   for (const std::int32_t side : {camera.width, camera.height}) {
     Json& pixels = data["pixels"].emplace_back();
     for (const int share : pixel_shares)

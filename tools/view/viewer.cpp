@@ -152,15 +152,17 @@ std::string timing_of(const Picture& picture) {
   return text;
 }
 
-Viewer::Viewer(const ViewerSettings& settings) : scene_(settings.scene), precision_(settings.precision) {
-  for (const std::string& path : settings.grids)
-    grids_.push_back(std::make_unique<ViewedGrid>(path, scene_, settings.device));
+Viewer::Viewer(ViewedFiles files, Device device, Precision precision)
+    : path_(std::move(files.path)), scene_(std::move(files.scene)), made_by_(std::move(files.made_by)),
+      precision_(precision) {
+  for (ViewedStructure& structure : files.structures)
+    grids_.push_back(std::make_unique<ViewedGrid>(std::move(structure), scene_, device));
 }
 
 std::string Viewer::files() const {
-  std::string all = file_name(scene_.path()) + to_hex(scene_.hash());
+  std::string all = file_name(path_) + to_hex(scene_.hash());
   for (const auto& grid : grids_)
-    all += file_name(grid->file.path()) + to_hex(grid->file.hash());
+    all += file_name(grid->path) + to_hex(grid->file.hash());
   return to_hex(hash_of({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()}));
 }
 
@@ -308,8 +310,9 @@ Json Viewer::description() const {
   Json grids = Json::array();
   for (const auto& grid : grids_) {
     const fb::Structure& table = grid->file.table();
-    grids.push_back({{"name", file_name(grid->file.path())},
-                     {"path", grid->file.path()},
+    grids.push_back({{"name", file_name(grid->path)},
+                     {"path", grid->path},
+                     {"made_by", grid->made_by},
                      {"structure", grid->file.is_hierarchy() ? "bvh" : "grid"},
                      {"greatest_depth", grid->greatest_depth},
                      {"merge", fb::EnumNameMerge(table.merge())},
@@ -320,8 +323,9 @@ Json Viewer::description() const {
   }
   const bool cuda = !grids_.empty() && grids_.front()->tracer.device() == Device::cuda;
   Json json{{"scene",
-             {{"name", file_name(scene_.path())},
-              {"path", scene_.path()},
+             {{"name", file_name(path_)},
+              {"path", path_},
+              {"made_by", made_by_},
               {"hash", to_hex(scene_.hash())},
               {"primitives", scene_.primitive_count()},
               {"bytes", scene_.bytes()},

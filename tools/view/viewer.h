@@ -2,14 +2,13 @@
 // hold.
 #pragma once
 
-#include "libgrid/file/structure_file.h"
 #include "libgrid/statistics/boxes.h"
-#include "libscene/file/scene_file.h"
 #include "renderer/image/jpeg_file.h"
 #include "renderer/tracer/tracer.h"
 #include "tools/render/views.h"
 #include "tools/view/channel_colors.h"
 #include "tools/view/turns.h"
+#include "tools/view/viewed_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,20 +22,16 @@ namespace masu {
 
 // Lives where it was made: tracers refer to the files.
 struct ViewedGrid {
+  std::string path;
   StructureFile file; // a grid or a hierarchy
+  Commands made_by;
   ResidentTracer tracer;
   std::int32_t greatest_depth;         // of its cells or boxes
   nlohmann::ordered_json statistics{}; // null: not made yet
 
-  ViewedGrid(const std::string& path, const SceneFile& scene, Device device)
-      : file(path), tracer(scene, &file, device), greatest_depth(masu::greatest_depth(file)) {}
-};
-
-struct ViewerSettings {
-  std::string scene;
-  std::vector<std::string> grids;
-  Device device = Device::cpu;
-  Precision precision = Precision::automatic;
+  ViewedGrid(ViewedStructure viewed, const SceneFile& scene, Device device)
+      : path(std::move(viewed.path)), file(std::move(viewed.file)), made_by(std::move(viewed.made_by)),
+        tracer(scene, &file, device), greatest_depth(masu::greatest_depth(file)) {}
 };
 
 inline constexpr std::int64_t most_pixels = std::int64_t{1} << 23; // of a picture
@@ -103,8 +98,8 @@ using IsGone = std::function<bool()>;
 // Threads may ask at the same time.
 class Viewer {
 public:
-  // Throws as SceneFile, StructureFile and ResidentTracer do.
-  explicit Viewer(const ViewerSettings& settings);
+  // Throws as ResidentTracer does.
+  Viewer(ViewedFiles files, Device device, Precision precision);
 
   const SceneFile& scene() const { return scene_; }
   const ViewedGrid& grid(std::size_t index) const { return *grids_.at(index); }
@@ -145,7 +140,9 @@ public:
 private:
   FrameRequest frame_request(const PictureRequest& request) const;
 
+  std::string path_;
   SceneFile scene_;
+  Commands made_by_; // of the scene
   std::vector<std::unique_ptr<ViewedGrid>> grids_;
   Precision precision_;
   mutable Turns turns_{32};

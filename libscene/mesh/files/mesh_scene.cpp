@@ -2,6 +2,7 @@
 
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
+#include "libscene/file/input_file.h"
 #include "libscene/material_table.h"
 #include "libscene/mesh/files/vertex_normals.h"
 #include "libscene/mesh/points.h"
@@ -199,6 +200,23 @@ void complete_view(const Sphere<double>& whole, const ImportOptions& options, Im
     light.intensity = light.intensity * (each / brightest);
   scene.ambient = static_cast<float>(each);
   scene.background = {0, 0, 0};
+}
+
+MeshFile read_mesh_file(std::span<const std::uint8_t> bytes, MeshFormat format,
+                        const std::filesystem::path& folder, const std::string& name,
+                        const ImportOptions& options) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const auto other_file = [&](const std::string& other) -> std::optional<std::string> {
+    const std::filesystem::path path = folder / other;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return {};
+    if (options.opened) options.opened(path);
+    const PrivateMemory contents = InputFile(path).contents();
+    return std::string(contents.bytes().begin(), contents.bytes().end());
+  };
+  MeshFile mesh = parse_mesh_file({text, name, other_file, options.progress}, format);
+  if (options.parsed) options.parsed();
+  return mesh;
 }
 
 ImportedScene viewed_scene_of(const MeshFile& file, const std::string& name, const ImportOptions& options) {

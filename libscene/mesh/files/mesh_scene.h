@@ -12,6 +12,8 @@
 
 #include "libscene/mesh/files/mesh_file.h"
 
+#include <filesystem>
+
 namespace masu {
 
 enum class UpAxis { y, z };
@@ -45,6 +47,12 @@ ImportedScene scene_of(const MeshFile& file, const std::string& name, const Impo
 // units of files differ. Without any, there is a light at the file's camera, or above and to the left of the
 // automatic one.
 void complete_view(const Sphere<double>& whole, const ImportOptions& options, ImportedScene& result);
+
+// Reads a mesh, and what it names in its folder (materials): regular files, whoever may have written the
+// mesh. Throws as parse_mesh_file() does.
+MeshFile read_mesh_file(std::span<const std::uint8_t> bytes, MeshFormat format,
+                        const std::filesystem::path& folder, const std::string& name,
+                        const ImportOptions& options);
 
 // Both: the scene of a file that says nothing of a view.
 ImportedScene viewed_scene_of(const MeshFile& file, const std::string& name, const ImportOptions& options);

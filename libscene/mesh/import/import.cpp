@@ -235,16 +235,7 @@ std::optional<MeshFile> parsed_mesh(std::span<const std::uint8_t> bytes, const s
     import::check_gltf_extensions(text, name);
     return {};
   }
-  const auto other_file = [&](const std::string& other) -> std::optional<std::string> {
-    const std::filesystem::path path = folder / other;
-    if (!RegularFiles::is_regular_file(path)) return {};
-    if (options.opened) options.opened(path);
-    const PrivateMemory contents = InputFile(path).contents();
-    return std::string(contents.bytes().begin(), contents.bytes().end());
-  };
-  MeshFile mesh = parse_mesh_file({text, name, other_file, options.progress}, *format);
-  if (options.parsed) options.parsed();
-  return mesh;
+  return read_mesh_file(bytes, *format, folder, name, options);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // Where pictures and figures come from in a page that gridview --export wrote: from the page itself.
 'use strict';
 
-const nearestTo = (values, wanted) => values.reduce((best, value) => (Math.abs(value - wanted) < Math.abs(best - wanted) ? value : best));
+const nearestTo = (values, wanted) => values.reduce((best, value) => (Math.abs(value - wanted) < Math.abs(best - wanted) ? value : best), values[0]);
 
 // Of base64.
 function blobOf(text) {
@@ -16,6 +16,7 @@ class Exported {
   constructor(data) {
     this.data = data;
     this.isLive = false;
+    this.opensWith = data.opens_with;
     this.size = data.size;
     this.step = 2 * Math.PI / data.views.length; // from view to view, in radians
   }
@@ -54,8 +55,8 @@ class Exported {
     return {origin, direction};
   }
 
-  async walk(grid, {origin, direction}) {
-    const key = String([origin, direction]);
+  // Of a ray, if it was exported.
+  walksOf({origin, direction}) {
     if (!this.walks) {
       this.walks = new Map();
       for (const {walks} of this.data.views) for (const one of walks) this.walks.set(String([one.origin, one.direction]), one);
@@ -64,7 +65,18 @@ class Exported {
         this.walks.set(String([from, Vec.sub(to, from)]), one);
       }
     }
-    const found = this.walks.get(key);
+    return this.walks.get(String([origin, direction]));
+  }
+  // The nearest ray whose walk was exported, of those in a slice's plane.
+  known(ray) {
+    const {origin, direction} = ray, plane = [0, 1, 2].filter((axis) => direction[axis] === 0).map((axis) => this.plane({axis, position: origin[axis]})).find(Boolean);
+    if (!plane || this.walksOf(ray)) return ray;
+    const [from, to] = this.nearestEnds(plane, origin, Vec.add(origin, direction));
+    return {...ray, origin: from, direction: Vec.sub(to, from)};
+  }
+
+  async walk(grid, {origin, direction}) {
+    const found = this.walksOf({origin, direction});
     if (!found) throw new Error('The walk of this ray wasn’t exported.');
     const {hit, grids} = found, {cells, tests, ended, steps} = grids[grid];
     const ray = {kind: 'camera', origin, direction, cells, tests, hit: hit && {...hit, position: Vec.add(origin, Vec.scaled(direction, hit.t))}, steps: []};
@@ -82,25 +94,33 @@ class Exported {
     const corner = (voxel) => voxel.map((at, axis) => min[axis] + at * step[axis]);
     return {voxels: {first, end}, box: {min: corner(first), max: corner(end)}};
   }
-  // A slice's points between which walks were exported: on its four sides in turn, each as many.
-  planePoints(slice) {
-    return this.data.planes.find(({axis, position}) => axis === slice.axis && position === slice.position).points.map((point) => slice.axes.map((axis) => point[axis]));
+  plane(slice) {
+    const ofAxis = this.data.planes.filter(({axis}) => axis === slice.axis), nearest = nearestTo(ofAxis.map(({position}) => position), slice.position);
+    return ofAxis.find(({position}) => position === nearest);
   }
-  // The nearest two of different sides.
+  // Of the plane's rays.
+  nearestEnds({points, walks}, from, to) {
+    const away = ({ends}) => Vec.length(Vec.sub(points[ends[0]], from)) ** 2 + Vec.length(Vec.sub(points[ends[1]], to)) ** 2;
+    const all = walks.map(away);
+    return walks[all.indexOf(Math.min(...all))].ends.map((index) => points[index]);
+  }
   planeEnds(slice, {from, to}) {
-    const points = this.planePoints(slice), side = (index) => Math.floor(4 * index / points.length);
-    const nearest = ([u, v], isAllowed) => points.map(([pu, pv], index) => [isAllowed(index) ? Math.hypot(pu - u, pv - v) : Infinity, index]).sort((a, b) => a[0] - b[0])[0][1];
-    const target = nearest(to, () => true), start = nearest(from, (index) => side(index) !== side(target));
-    return {from: points[start], to: points[target]};
+    const ends = this.nearestEnds(this.plane(slice), ...[from, to].map(([u, v]) => slicePoint(slice, u, v)));
+    const [start, end] = ends.map((point) => slice.axes.map((axis) => point[axis]));
+    return {from: start, to: end};
   }
   // From point to point.
-  planeStep(slice) { return Math.max(...slice.axes.map((axis, k) => slice.voxels[k] * slice.step[k])) / (this.planePoints(slice).length / 4) * 0.75; }
+  planeStep(slice) { return Math.max(...slice.axes.map((axis, k) => slice.voxels[k] * slice.step[k])) / this.data.points_per_side * 0.75; }
 
   async statistics(grid) { return this.data.statistics[grid]; }
   async boxes(grid, depth) { return this.data.boxes[grid][depth === null ? 0 : depth + 1]; }
-  shareOf(share) { return nearestTo(this.data.shares, share); }
+  // The nearest of the same axis, or of any where it has none.
+  sliceAt({axis, share}) {
+    const {planes} = this.data, same = planes.filter((plane) => plane.axis === axis), all = same.length > 0 ? same : planes;
+    const nearest = nearestTo(all.map((plane) => plane.share), share);
+    return {axis: all.find((plane) => plane.share === nearest).axis, share: nearest};
+  }
   async slice(grid, axis, share) {
-    const {shares} = this.data;
-    return this.data.slices[grid][axis * shares.length + shares.indexOf(this.shareOf(share))];
+    return this.data.slices[grid][this.data.planes.findIndex((plane) => plane.axis === axis && plane.share === share)];
   }
 }

@@ -199,7 +199,10 @@ function quoted(word) {
 }
 
 // The commands that make the pictures; of a channel its values, and gridrender's own picture of them; of a cut the slice.
-const command = () => panes.map((pane) => commandOf(pane, pane.index > 0 ? '-2' : '')).join(' && ');
+// Before them what writes the files that were made in memory.
+const command = () => [...new Set(panes.flatMap((pane) => [state.scene.scene, state.scene.grids[pane.settings.grid]]
+  .flatMap(({made_by}) => made_by.map((words) => words.map(quoted).join(' '))))),
+  ...panes.map((pane) => commandOf(pane, pane.index > 0 ? '-2' : ''))].join(' && ');
 function commandOf(pane, suffix) {
   const {scene, grids, precision} = state.scene;
   if (pane.isCut)
@@ -222,9 +225,9 @@ function describeScene() {
 }
 
 function openAddress() {
-  const {state: {slice, ...read}, scale, walk, zoom, missing} = readAddress(state.scene, location.hash);
+  const {state: {slice, ...read}, scale, walk, zoom, missing} = readAddress(state.scene, location.hash || source.opensWith);
   Object.assign(state, read);
-  Object.assign(state.slice, slice, {share: source.shareOf(slice.share)}); // the slice panel's, too
+  Object.assign(state.slice, slice, source.sliceAt(slice)); // the slice panel's, too
   for (const pane of panes) pane.counts = null; // of another view, perhaps
   planeView.zoom = zoom;
   walkOfPictures = {};
@@ -238,7 +241,7 @@ function openAddress() {
   update();
   if (!walk) return;
   $('walk-all').checked = walk.ray.all;
-  walkPanel.follow(walk.ray, walk.look);
+  walkPanel.follow(source.known(walk.ray), walk.look);
 }
 
 async function begin() {

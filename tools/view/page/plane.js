@@ -29,9 +29,10 @@ class SlicePlot {
     this.facts = element('output', {class: 'status', 'aria-live': 'off'});
     this.canvas = element('canvas', {class: 'slice', tabindex: 0, role: 'application', 'aria-roledescription': 'slice'});
     this.counts = element('p', {class: 'walk-counts', hidden: true});
+    this.sentence = element('p', {class: 'walk-sentence', hidden: true});
     this.root = element('figure', {class: 'picture'},
       element('div', {class: 'bar'}, element('label', {}, 'Grid ', this.gridSelect), this.facts),
-      element('div', {class: 'plot'}, this.canvas, this.counts));
+      element('div', {class: 'plot'}, this.canvas, this.counts, this.sentence));
   }
 
   // Pixels of the canvas from scene units and back. zoom: {u, v, scale, axis}: its middle, how much larger, and of which slices; others, and null: all.
@@ -208,7 +209,7 @@ class PlaneView {
     root.append(element('div', {class: 'bar plane-bar'}, this.places,
       element('div', {class: 'controls'},
         element('button', {type: 'button', title: 'Every walk a step back (,)', onclick: () => walkPanel.move(-1)}, '◂'),
-        element('button', {type: 'button', title: 'Every walk a step on (.)', onclick: () => walkPanel.move(1)}, '▸'),
+        element('button', {type: 'button', title: 'Every walk a step on (.)', onclick: () => walkPanel.move(1)}, '▸'), walkPanel.plays[1],
         this.step, this.stepText),
       element('div', {class: 'slice-scale'}, 'references 1', this.scaleColors, this.most),
       element('div', {class: 'legend'}, ...LEGEND.map(([name, color]) => {
@@ -288,7 +289,7 @@ class PlaneView {
   draw() {
     const {slice} = this;
     if (!slice) return;
-    this.fitRay();
+    if (!this.ends || this.slicePanel.isCurrent) this.fitRay(); // a link's ray isn't in the slice of before
     const {slicePanel, walkPanel} = this;
     const most = slicePanel.most();
     this.most.textContent = Text.count(most);
@@ -313,6 +314,8 @@ class PlaneView {
       const facts = sliceFacts(own, cells, this.scene.grids[grid]);
       if (!plot.under) plot.facts.textContent = facts;
       plot.counts.hidden = !ray;
+      plot.sentence.textContent = walkPanel.sentenceOf(grid);
+      plot.sentence.hidden = !plot.sentence.textContent;
       if (ray) plot.counts.textContent = this.progress(ray, step, last, visited(this.scene.grids[grid]));
       plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${plot.counts.textContent}. Arrow keys move the ray’s end, with Shift its origin.`);
     });

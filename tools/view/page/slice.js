@@ -36,7 +36,7 @@ class SlicePanel {
 
   set(change) {
     Object.assign(this.settings, change);
-    this.settings.share = this.source.shareOf(this.settings.share);
+    Object.assign(this.settings, this.source.sliceAt(this.settings));
     this.moved();
     this.load();
   }
@@ -58,6 +58,10 @@ class SlicePanel {
         ? [{grid, kind: 'slices', key: `slice ${grid} ${axis} ${share}`, get: () => this.source.slice(grid, axis, share)}] : []),
       ...(this.hasBoxes ? [{grid, kind: 'boxes', key: `boxes ${grid} ${this.depthOf(grid)}`, get: () => this.source.boxes(grid, this.depthOf(grid))}] : [])]);
   }
+
+  keyOf(parts) { return `${this.settings.depth} ${parts.map(({key}) => key).join()}`; }
+  // Whether what is loaded is what is wanted.
+  get isCurrent() { return this.shownKey === this.keyOf(this.parts()); }
 
   // The newest wish, one at a time.
   async load() {
@@ -81,7 +85,7 @@ class SlicePanel {
           this.loaded.set(missing.key, await missing.get());
           continue;
         }
-        const shownKey = `${this.settings.depth} ${parts.map(({key}) => key).join()}`;
+        const shownKey = this.keyOf(parts);
         if (parts.length === 0 || shownKey === this.shownKey) break;
         this.shownKey = shownKey;
         this.loaded = new Map(parts.map(({key}) => [key, this.loaded.get(key)]));

@@ -17,7 +17,7 @@ const RETRY_MS = 500; // more each time, up to ten times as long
 class Server {
   // lost(is): whether nobody answers.
   constructor(lost) {
-    Object.assign(this, {lost, files: null, isLive: true, statisticsOf: new Map()});
+    Object.assign(this, {lost, files: null, isLive: true, opensWith: '', statisticsOf: new Map()});
   }
 
   // What read(response, when it was asked for) makes of it; asked for again until somebody answers. Where that is
@@ -91,7 +91,9 @@ class Server {
   planeEnds(slice, ends) { return ends; }
   planeStep(slice, step) { return step; }
 
-  shareOf(share) { return share; }
+  // Which slices and rays there are: any.
+  sliceAt(plane) { return plane; }
+  known(ray) { return ray; }
   slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }
 
   // depth: null for any.

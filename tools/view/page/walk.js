@@ -2,16 +2,37 @@
 // is in the scene when the camera moves, another grid is chosen or the window changes.
 'use strict';
 
+const PLAY_MS = 1500; // a step
+
+// What happens at a step of a ray's walk, and whether it goes on, by the walk's numbers; ended: why the walk ended.
+function stepSentence(ray, index, what, ended) {
+  const {tests, node, exit} = ray.steps[index], keeps = (step) => step.tests.some(({kept}) => kept);
+  const nearest = ray.steps.slice(0, index + 1).flatMap((step) => step.tests.filter(({kept}) => kept)).pop();
+  // An exported page knows where the last hit is.
+  const t = nearest && (nearest.t ?? (ray.steps.slice(index + 1).some(keeps) ? null : ray.hit.t));
+  const hit = nearest && `the ${keeps(ray.steps[index]) ? 'new ' : ''}hit${t === null ? '' : ` at ${Text.number(t)}`}`;
+  const parts = [counted(tests.length, 'test')];
+  if (node) parts.unshift(`${node.boxes_met} of ${node.boxes_met + node.boxes_missed + node.boxes_beyond} boxes met${node.boxes_met > 1 ? ', the nearest first' : ''}`,
+    ...(node.boxes_beyond > 0 ? [`${node.boxes_beyond} beyond the hit`] : []));
+  if (index === ray.cells - 1) parts.push(hit && ray.kind !== 'shadow' ? `${hit}: nothing nearer can follow` : ended);
+  else if (!hit) parts.push('no hit yet: go on');
+  else if (node) parts.push(`${hit}: go on with boxes before it`);
+  else parts.push(`${hit} lies ${t === null || t > exit ? 'beyond' : 'within rounding at'} this cell’s end, ${Text.number(exit)}: go on`);
+  return `${what} ${index + 1}: ${parts.join('; ')}`;
+}
+
 class WalkPanel {
   // changed(): another ray, walk or step; center(point): orbit around it from now on.
   constructor(root, source, changed, center) {
     Object.assign(this, {root, source, changed, center, grids: [], names: [], structures: []});
+    this.plays = [0, 1].map(() => element('button', {type: 'button', title: 'Goes on step by step', onclick: () => this.play(!this.timer)})); // here, and in the plane
     root.after(this.spoken = element('p', {class: 'unseen', role: 'status'})); // a step, for those who don't see it
     this.clear();
   }
 
   clear() {
     if (this.abort) this.abort.abort();
+    this.play(false);
     // ray: {origin, direction, all, depth}, the camera's or a given one; pixel: where it was picked; pane: whose
     // walk is listed; index: of the ray among those that it spawned; step: of all walks, which have ended before it
     // or not, null for the last of the longest; walks: by grid.
@@ -35,6 +56,7 @@ class WalkPanel {
 
   // {pane, index, step, pixel}: what of the ray is looked at.
   follow(ray, look) {
+    this.play(false);
     Object.assign(this, {ray, pixel: null, index: 0, step: null, walks: new Map(), drawn: ''}, look);
     return this.load();
   }
@@ -81,8 +103,29 @@ class WalkPanel {
     return true;
   }
 
+  // Until the longest walk ends; from the beginning where it has.
+  play(isPlaying) {
+    clearInterval(this.timer);
+    this.timer = null;
+    if (isPlaying && this.current) {
+      if (this.step >= this.lastStep) this.select(0);
+      this.timer = setInterval(() => {
+        if (!this.move(1) || this.step >= this.lastStep) this.play(false);
+      }, PLAY_MS);
+    }
+    for (const button of this.plays) button.textContent = this.timer ? 'Pause' : 'Play';
+  }
+
+  // Of a grid's ray at the step, or where its walk has ended; empty while the walk is on its way.
+  sentenceOf(grid) {
+    const ray = this.rayOf(grid), i = this.grids.indexOf(grid);
+    if (!ray || ray.steps.length === 0) return '';
+    return stepSentence(ray, Math.min(this.step ?? Infinity, ray.steps.length - 1), visited(this.structures[i]), this.walks.get(grid).ended[this.index]);
+  }
+
   select(step) {
     this.step = step;
+    this.sentence.textContent = this.sentenceOf(this.grids[this.pane]);
     const row = this.body.rows[Math.min(step, this.body.rows.length - 1)];
     for (const one of this.body.rows) one.setAttribute('aria-selected', String(one === row));
     if (row) {
@@ -152,12 +195,13 @@ class WalkPanel {
     }}, element('table', {class: 'walk-steps', role: 'presentation'}, element('thead', {'aria-hidden': true}, element('tr', {}, ...head)), this.body));
     const moreCells = current.cells === current.steps.length ? null : element('p', {class: 'note'},
       `and ${Text.count(current.cells - current.steps.length)} more ${what}s, which aren’t listed`);
+    this.sentence = element('p', {class: 'note of-pictures'});
     const buttons = element('div', {class: 'controls'},
       element('button', {type: 'button', title: `The ${what} before (,)`, onclick: () => this.move(-1)}, '◂ step'),
-      element('button', {type: 'button', title: `The next ${what} (.)`, onclick: () => this.move(1)}, 'step ▸'),
+      element('button', {type: 'button', title: `The next ${what} (.)`, onclick: () => this.move(1)}, 'step ▸'), this.plays[0],
       hit ? element('button', {class: 'of-pictures', type: 'button', title: 'The camera orbits around the hit', onclick: () => this.center(hit.position)}, 'Orbit here') : null,
       element('button', {class: 'of-pictures', type: 'button', title: 'Drops the walk (Esc)', onclick: () => this.clear()}, 'Clear'));
-    this.root.replaceChildren(...[costs, choices, more, buttons, this.list, boxes, moreCells, summary].filter(Boolean));
+    this.root.replaceChildren(...[costs, choices, more, buttons, this.sentence, this.list, boxes, moreCells, summary].filter(Boolean));
     this.select(this.step);
   }
 }
