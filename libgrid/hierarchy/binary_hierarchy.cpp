@@ -481,7 +481,7 @@ private:
     const Halves halves = halves_of(range, extent, depth, moved);
     const std::uint32_t left = used_.fetch_add(2);
     node.index = left;
-    CollapseCosts left_costs, right_costs;
+    CollapseCosts left_costs{}, right_costs{};
     const auto split_left = [&] { left_costs = split(left, halves.left, depth + 1); };
     const auto split_right = [&] { right_costs = split(left + 1, halves.right, depth + 1); };
     if (range.count > 1024) {

@@ -99,9 +99,8 @@ class SortedFew {
 public:
   SortedFew(const LaneBox* boxes, const Keys* keys, std::uint32_t count)
       : boxes_(boxes), keys_(keys), count_(count) {
-    WholeLanes4 ranks[few_leaves];
+    WholeLanes4 ranks[few_leaves]{};
     for (std::uint32_t i = 0; i < count; ++i) {
-      ranks[i] = WholeLanes4{};
       for (std::uint32_t k = 0; k < i; ++k) {
         const WholeLanes4 is_after = keys[k] <= keys[i]; // -1 where i comes after k
         ranks[i] -= is_after;
@@ -144,7 +143,7 @@ private:
   const LaneBox* boxes_;
   const Keys* keys_;
   std::uint32_t count_;
-  std::uint8_t order_[3][few_leaves];
+  std::uint8_t order_[3][few_leaves]{};
 };
 
 } // namespace masu

@@ -117,14 +117,14 @@ private:
     if (range.count > 2 && range.count <= most_leaves_split(depth))
       split = range.count <= few_leaves ? cheapest_of_few(range.leaves, range.count)
                                         : cheapest_of_many(range.leaves, range.count, space);
-    PlacedLeaves left, right;
+    PlacedLeaves left{}, right{};
     if (range.count > leaves_of_all_cores)
       partition_by_all_cores(range, split, left, right);
     else
       partition(range, split, left, right);
     const SplitSpaces spaces(space, split);
     const std::uint32_t pair = 2 * right.first;
-    CollapseCosts left_costs, right_costs;
+    CollapseCosts left_costs{}, right_costs{};
     const auto build_left = [&] { left_costs = build(left, spaces.left, depth + 1, pair); };
     const auto build_right = [&] { right_costs = build(right, spaces.right, depth + 1, pair + 1); };
     if (range.count > leaves_per_task) {
