@@ -26,7 +26,6 @@ using PrimitivesCutByAPlane = RandomTest;
 using oracle::Wide;
 
 constexpr double u = RealTraits<double>::unit_roundoff;
-constexpr double pi = 3.14159265358979;
 
 // --- Voxels ----------------------------------------------------------------------------------------------
 
