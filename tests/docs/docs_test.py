@@ -91,6 +91,7 @@ ctest() { # the tested build's tests are listed: there must be some
 }
 gridview() { # which serves until it is ended
   if [[ $* = *--export* || $* = *--help* ]]; then command gridview "$@"; return; fi
+  rm -f "$SOURCE/typed/address" # of the one before
   command gridview "$@" --port 0 >"$SOURCE/typed/address" &
   until [ -s "$SOURCE/typed/address" ]; do kill -0 $! 2>/dev/null || break; sleep 0.1; done
   kill $! 2>/dev/null || true # ended by itself: with which code?
