@@ -24,8 +24,7 @@ BuildOptions build_options(const masu_build_options& from) {
   options.division = parse_division(from.division != nullptr ? from.division : "auto");
   const StructureKind kind = kind_of(choice<StructureChoice>(from.structure, 4, "structure"),
                                      merges[choice<int>(from.merge, 5, "merge")], options.division, quality);
-  options.structure = {kind,        from.target, from.alpha,     from.step_cost,
-                       from.detail, from.nested, from.expand};
+  options.structure = {kind, from.target, from.alpha, from.step_cost, from.detail, from.nested, from.expand};
   options.structure.quality = quality;
   options.space = from.cube_space != 0 ? SpaceRule::cube : SpaceRule::tight;
   options.overlap = from.box_overlap != 0 ? Overlap::box : Overlap::exact;
