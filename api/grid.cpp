@@ -50,12 +50,8 @@ masu_build_options default_options() {
 
 StructureFile built_grid(const SceneFile& scene, const BuildOptions& options, int device,
                          const std::function<void(double)>& progress) {
-  return scene.with_view([&](const auto& view) {
-    const auto builder =
-        device == MASU_CPU ? cpu_builder(view, progress) : cuda_builder(view, device, progress);
-    const auto [grid, provenance, considered] = build_chosen(*builder, scene.geometry(), options);
-    return structure_in_memory(grid, provenance);
-  });
+  return built_in_memory(scene, options, progress,
+                         device == MASU_CPU ? std::nullopt : std::optional<int>(device));
 }
 
 template <class Stored>

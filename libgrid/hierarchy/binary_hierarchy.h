@@ -28,7 +28,7 @@ template <class Stored>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
                                               HostArray<BinaryNode> leaves, ProgressMonitor* progress);
 
-// About how many bytes per primitive the binary hierarchy takes, and what it is made into.
+// Enough bytes per primitive for the binary hierarchy and what it is made into.
 inline constexpr double hierarchy_bytes_per_primitive = 300;
 
 } // namespace masu

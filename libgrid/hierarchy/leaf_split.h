@@ -20,8 +20,10 @@ struct LeafSplit {
   std::int32_t axis = -1;
   float place = 0; // twice it
 
-  MASU_HD bool is_left(const BinaryNode& leaf) const {
-    return axis >= 0 && twice_the_centre(leaf, axis) <= place;
+  MASU_HD bool is_left(const BinaryNode& leaf) const { return axis >= 0 && is_left(leaf, axis); }
+  // Where its axis is known, as a constant perhaps.
+  MASU_HD bool is_left(const BinaryNode& leaf, int along) const {
+    return twice_the_centre(leaf, along) <= place;
   }
 };
 MASU_HD inline bool comes_before(const LeafSplit& a, const LeafSplit& b) {

@@ -159,7 +159,7 @@ private:
     with_axis(split.axis, [&](auto axis) {
       for (std::uint32_t i = 0; i < range.count; ++i) {
         const LaneBox leaf = box_of(leaves[i]);
-        const bool is_left = twice_the_centre(leaves[i], axis) <= split.place;
+        const bool is_left = split.is_left(leaves[i], axis);
         put(leaf, leaves[left_count]);
         put(leaf, rest[i - left_count]);
         left_count += is_left;
@@ -187,7 +187,7 @@ private:
       with_axis(split.axis, [&](auto axis) {
         std::uint32_t left_here = 0;
         for (std::uint32_t i = begin; i != end; ++i)
-          left_here += twice_the_centre(range.leaves[i], axis) <= split.place;
+          left_here += split.is_left(range.leaves[i], axis);
         left_before[c + 1] = left_here;
       });
     });
@@ -210,7 +210,7 @@ private:
         std::uint32_t to_left = left_before[c];
         for (std::uint32_t i = begin; i != end; ++i) {
           const LaneBox leaf = box_of(range.leaves[i]);
-          const bool is_left = twice_the_centre(range.leaves[i], axis) <= split.place;
+          const bool is_left = split.is_left(range.leaves[i], axis);
           put(leaf, is_left ? left.leaves[to_left] : right.leaves[i - to_left]);
           to_left += is_left;
         }

@@ -302,4 +302,14 @@ template DescribedStructure build_chosen(StructureBuilder<float>&, const SceneGe
 template DescribedStructure build_chosen(StructureBuilder<double>&, const SceneGeometry&,
                                          const BuildOptions&);
 
+StructureFile built_in_memory(const SceneFile& scene, const BuildOptions& options,
+                              const std::function<void(double)>& progress, std::optional<int> cuda_device) {
+  return scene.with_view([&](const auto& view) {
+    const auto builder =
+        cuda_device ? cuda_builder(view, *cuda_device, progress) : cpu_builder(view, progress);
+    const DescribedStructure built = build_chosen(*builder, scene.geometry(), options);
+    return structure_in_memory(built.grid, built.provenance);
+  });
+}
+
 } // namespace masu

@@ -6,6 +6,9 @@
 #include "libgrid/structure/sampled_costs.h"
 #include "libscene/file/scene_file.h"
 
+#include <functional>
+#include <optional>
+
 namespace masu {
 
 // What is wanted: a grid, a hierarchy, whichever of both a sample of rays is expected to take the least time
@@ -50,5 +53,10 @@ struct DescribedStructure {
 template <class Stored>
 DescribedStructure build_chosen(StructureBuilder<Stored>& builder, const SceneGeometry& geometry,
                                 const BuildOptions& options);
+
+// The same in memory, built on a CUDA device or, for none, on the CPU.
+StructureFile built_in_memory(const SceneFile& scene, const BuildOptions& options,
+                              const std::function<void(double)>& progress = {},
+                              std::optional<int> cuda_device = {});
 
 } // namespace masu

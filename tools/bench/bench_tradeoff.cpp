@@ -105,10 +105,7 @@ StructureFile built(const SceneFile& scene, const GridPlan& plan) {
   options.division = parse_division(plan.division);
   options.structure.kind = plan.merge;
   options.overlap = plan.overlap;
-  const auto [grid, provenance, considered] =
-      scene.is_float64() ? build_chosen(*cpu_builder(scene.view<double>()), scene.geometry(), options)
-                         : build_chosen(*cpu_builder(scene.view<float>()), scene.geometry(), options);
-  return structure_in_memory(grid, provenance);
+  return built_in_memory(scene, options);
 }
 
 // A scene's name in charts and tables: its file's name with letters, digits, - . and _ only.

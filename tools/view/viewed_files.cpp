@@ -34,11 +34,7 @@ void build(ViewedFiles& files, std::span<const Wanted> wanted, bool quiet) {
     BuildOptions options;
     options.structure.kind = kind;
     Progress progress("building", quiet);
-    StructureFile file = files.scene.with_view([&](const auto& view) {
-      const auto builder = cpu_builder(view, progress.callback());
-      const DescribedStructure built = build_chosen(*builder, files.scene.geometry(), options);
-      return structure_in_memory(built.grid, built.provenance);
-    });
+    StructureFile file = built_in_memory(files.scene, options, progress.callback());
     const std::string path =
         fmt::format("{}-{}.grid", std::filesystem::path(files.path).stem().string(), name);
     made += " " + path;

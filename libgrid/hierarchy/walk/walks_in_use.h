@@ -21,7 +21,7 @@
 // PacketWalk EightWalks), where it isn't within .02 of it, for rays P primary, D diffuse, R random, S shadow;
 // the geometric mean of teapot of size 60, mount of 10, tetra of 9, balls, tree, gears and, on the GPU,
 // rings, of which mount, balls, tree and rings are in triangles (nff2bin --tessellate 12). On an H200, and on
-// 16 cores of the Intel Xeon beside it, by
+// 16 cores of the Intel Xeon beside it, before any hits came by slots, by
 //
 //   gridbench rays SCENE HIERARCHY [--backend cpu --size 512x512 --random 1048576]
 //

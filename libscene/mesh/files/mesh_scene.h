@@ -48,8 +48,8 @@ ImportedScene scene_of(const MeshFile& file, const std::string& name, const Impo
 // automatic one.
 void complete_view(const Sphere<double>& whole, const ImportOptions& options, ImportedScene& result);
 
-// Reads a mesh, and what it names in its folder (materials): regular files, whoever may have written the
-// mesh. Throws as parse_mesh_file() does.
+// Reads a mesh, and from its folder the files of materials that it names: regular ones alone, for pipes and
+// devices could be read for ever. Throws as parse_mesh_file() does.
 MeshFile read_mesh_file(std::span<const std::uint8_t> bytes, MeshFormat format,
                         const std::filesystem::path& folder, const std::string& name,
                         const ImportOptions& options);

@@ -64,8 +64,7 @@ Scene behind_glass(Chance& chance, double panes) {
 class Stored {
 public:
   Stored(const Scene& scene, Store store, const std::optional<Vec3d>& origin)
-      : file_(scene_in_memory(scene, store, origin)),
-        grid_(file_.is_float64() ? built(file_.view<double>()) : built(file_.view<float>())) {}
+      : file_(scene_in_memory(scene, store, origin)), grid_(built_in_memory(file_, fast_hierarchy())) {}
 
   const SceneFile& file() const { return file_; }
   Frame picture(Precision precision) const {
@@ -77,11 +76,10 @@ public:
   }
 
 private:
-  StructureFile built(const auto& view) const {
-    BuildOptions options; // pictures are the same through any grid: one that is built at once
+  static BuildOptions fast_hierarchy() { // pictures are the same through any grid: one that is built at once
+    BuildOptions options;
     options.structure = {.kind = StructureKind::hierarchy, .quality = HierarchyQuality::fast};
-    const auto [grid, provenance, considered] = build_chosen(*cpu_builder(view), file_.geometry(), options);
-    return structure_in_memory(grid, provenance);
+    return options;
   }
 
   SceneFile file_;
