@@ -18,7 +18,7 @@ from accuracy_tables import failed, has_embree, picture_rows, sweep_rows
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "charts"
 KINDS = "primary", "diffuse", "random"
-PEERS = {"cwbvh": 4, "optix": 5, "hagrid": 7}  # columns of performance.md's table
+PEERS = {"cwbvh": 4, "cubql": 5, "optix": 6, "hagrid": 8}  # columns of performance.md's table
 LESSON = {"teapot": 4, "balls": 7}             # columns of tests, cells and nanoseconds per ray in lesson.md's table
 ACCURACY = {  # title, share that is drawn as none
     "sweeps": ("Wrong hits: missed, false, wrong, misplaced or by grid, share of rays", 1e-7),
