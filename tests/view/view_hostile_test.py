@@ -2,6 +2,7 @@
 
 view_hostile_test.py BIN_FOLDER
 """
+import contextlib
 import http.client
 import json
 import os
@@ -293,6 +294,29 @@ class Hostile(unittest.TestCase):
             wait_until(lambda: server.is_idle(), "walks that nobody wants are given up")
             self.assertLess(server.peak_memory() - before, 200e6)
 
+    def test_divisions_that_many_ask_for_at_once_are_built_once(self):
+        with Gridview(tools, *scene, "-q") as server:
+            request = "GET /api/statistics?grid={} HTTP/1.1\r\nHost: localhost\r\n\r\n"
+            for _ in range(8):  # nobody waits for these
+                gone = connect(server)
+                gone.sendall(request.format(10).encode())
+                gone.close()
+            made = []
+
+            def ask(grid):
+                made.append((grid, json.loads(server.get(f"/api/statistics?grid={grid}"))))
+            threads = [threading.Thread(target=ask, args=[grid]) for grid in [*range(2, 11)] * 3]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            divisions = json.loads(server.get("/api/scene"))["divisions"]
+            for grid, one in made:
+                self.assertEqual(one["division"], [divisions[grid - 2]] * 3)
+            self.assertEqual(len({json.dumps(one) for _, one in made}), len(divisions), "each is built once: it says the same time")
+            wait_until(lambda: server.is_idle(), "all is done")
+            self.assertLess(server.peak_memory(), 1e9)
+
     def test_clients_that_do_not_read_do_not_block(self):
         request = f"GET {PICTURE.format(700, 700)} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
         deaf = []
@@ -364,6 +388,17 @@ class Hostile(unittest.TestCase):
             server.communicate()
             if taken:
                 taken.close()
+        # In colour where a person looks.
+        other, terminal = os.openpty()
+        with socket.create_server(("127.0.0.1", 8765)) if taken else contextlib.nullcontext():
+            server = subprocess.Popen([tools.bin / "gridview", *scene], cwd=tools.folder, stdout=subprocess.PIPE, stderr=terminal, text=True,
+                                      env={name: value for name, value in os.environ.items() if name != "NO_COLOR"})
+            server.stdout.readline()
+            self.assertRegex(os.read(other, 4096), rb"\033\[1;33mgridview: port 8765 is taken")
+            server.terminate()
+            server.communicate()
+        os.close(other)
+        os.close(terminal)
 
 
 if __name__ == "__main__":

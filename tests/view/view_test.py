@@ -1410,6 +1410,11 @@ class Page(unittest.TestCase):
             self.assertTrue(self.find("#keys-list").is_displayed(), control)
             self.keys(Keys.ESCAPE)
             self.assertFalse(self.find("#keys-list").is_displayed(), control)
+        self.js("document.getElementById('cost-a').select()")
+        self.keys("?")
+        self.assertTrue(self.find("#keys-list").is_displayed())
+        self.keys(Keys.ESCAPE, "1", ".", "5")  # numbers have a point
+        self.assertEqual(self.js("return [walkPanel.step, state.cost[0]]"), [last, 1.5])
         # Esc closes the list alone, not the walk.
         self.js("panes[0].stage.focus()")
         self.keys("?", Keys.ESCAPE)
@@ -1463,9 +1468,12 @@ class Page(unittest.TestCase):
 
     def test_pictures_that_are_compared_have_one_size_and_one_angle(self):
         for width in [1024, 1100, 1200, 1280, 1440]:
-            self.show(width, 640, fragment=f"#grid={scene[1]},{scene[2]}&channel=shaded,cells")
-            self.assertEqual(*self.js("return panes.map((pane) => [pane.stage.clientHeight, pane.frame.view.camera.angle])"))
-            self.assertEqual([status.text.split()[0] for status in self.browser.find_elements(By.CSS_SELECTOR, ".picture .status")], ["sharp"] * 2)
+            for grids in [f"{scene[1]},{scene[2]}", f"division-8,{scene[2]}"]:
+                self.show(width, 640, fragment=f"#grid={grids}&channel=shaded,cells")
+                self.assertEqual(*self.js("return panes.map((pane) => [pane.stage.clientHeight, pane.frame.view.camera.angle])"))
+                self.assertEqual([status.text.split()[0] for status in self.browser.find_elements(By.CSS_SELECTOR, ".picture .status")], ["sharp"] * 2)
+                self.assertTrue(self.js("""return panes.every(({status}) => { const range = document.createRange(); range.setStart(status.firstChild, 0); range.setEnd(status.firstChild, 5);
+                  return range.getBoundingClientRect().right < status.getBoundingClientRect().right - 12; })"""), "it isn't cut off")
 
     def test_many_boxes_are_drawn_once_and_cover_the_scene(self):
         tools.run("nffgen", "balls", "--size", "5", "-o", "many.nff")

@@ -71,9 +71,10 @@ function keyOfPicking(pane, event) {
 }
 
 function keyOfPage(event) {
-  if (event.ctrlKey || event.altKey || event.metaKey || event.target.type === 'number') return;
-  // Lists, sliders and boxes to tick have keys of their own, but not these.
-  if (/^(INPUT|SELECT)$/.test(event.target.tagName) && ![',', '.', '?', 'Escape'].includes(event.key)) return;
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  // Lists, sliders and boxes to tick have keys of their own, but not these; numbers have a point.
+  const others = event.target.type === 'number' ? ['?', 'Escape'] : [',', '.', '?', 'Escape'];
+  if (/^(INPUT|SELECT)$/.test(event.target.tagName) && !others.includes(event.key)) return;
   if (event.key === '?' || (event.key === 'Escape' && !$('keys-list').hidden)) toggleKeys();
   else if (event.key === 'p') togglePlane();
   else if (event.key === 'v' && !state.plane) toggleCompare();

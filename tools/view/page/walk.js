@@ -73,7 +73,7 @@ class WalkPanel {
 
   // grids: of the panes, their names, and scene.grids of each.
   show(grids, names, structures) {
-    if (this.step === this.lastStep) this.step = null; // there in other grids, too
+    if (String(grids) !== String(this.grids) && this.step === this.lastStep) this.step = null; // the last one of others, too
     if (this.pane >= grids.length || (this.grids.length > 0 && grids[this.pane] !== this.grids[this.pane])) this.step = null;
     this.pane = Math.min(this.pane, grids.length - 1);
     Object.assign(this, {grids, names, structures});
