@@ -968,25 +968,44 @@ class Page(unittest.TestCase):
     def test_the_documents_page_shows_the_lessons_states(self):
         docs = pathlib.Path(__file__).resolve().parent.parent.parent / "docs"
         self.assertLess((docs / "plane.html").stat().st_size, 1_500_000)
-        links = re.findall(r"8765/(#view=plane[^)]*)", (docs / "lesson.md").read_text())
-        self.assertGreater(len(links), 3)
+        lesson = (docs / "lesson.md").read_text()
+        links = re.findall(r"plane\.html(#view=plane[^)]*)", lesson)
+        self.assertGreater(len(links), 5)
+        served = re.search(r"gridview teapot\.scene teapot-\{(.*)\}\.grid", lesson)[1].split(",")
+        divisions = json.loads(self.server.get("/api/scene"))["divisions"]
+        loaded = {*(f"teapot-{name}.grid" for name in served), *(f"division-{division}" for division in divisions)}
+        for grids in re.findall(r"8765/#grid=([^&]*)", lesson):  # of the server that the lesson starts
+            self.assertLessEqual({*grids.split(",")}, loaded)
         self.leave()
         address = (docs / "plane.html").as_uri()
         for width, link in [(1440, ""), *((1024, link) for link in links)]:
             self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
             self.browser.get("about:blank")
             self.browser.get(address + link)
+            wait_until(lambda: self.js("return state.plane && walkPanel.walks.size"), "walks")
+            self.assertEqual(self.js("return walkPanel.isAsking"), "guess=1" in link)
+            self.js("setGuess(false)")
             self.wait_plane()
             grids, ray, slice_ = self.js("return [state.plane.map((grid) => state.scene.grids[grid].name), walkPanel.ray, state.slice]")
             wanted = dict(part.split("=") for part in link[1:].split("&")) if link else {
-                "grid": "teapot-32.grid,teapot-balance.grid,teapot-irregular.grid,teapot-bvh.grid", "slice": "y,0.5", "ray": "-3.9,0,2.9,7.6,0,-1.4"}
+                "grid": "division-32,teapot-balance.grid,teapot-irregular.grid,teapot-bvh.grid", "slice": "y,0.5", "ray": "-3.9,0,2.9,7.6,0,-1.4"}
             self.assertEqual(",".join(grids), wanted["grid"])
             self.assertEqual([slice_["axis"], slice_["share"]], [1, float(wanted["slice"][2:])])
             for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted["ray"].split(","))):
                 self.assertAlmostEqual(a, b, delta=1e-4)
-            self.assertTrue(self.js("return planeView.plots.every((plot) => /^\\d+ (cell|node)s?, \\d+ tests?/.test(plot.counts.textContent))"))
+            self.assertTrue(self.js("return planeView.plots.every((plot) => /^[\\d\u2009]+ (cell|node)s?, [\\d\u2009]+ tests?/.test(plot.counts.textContent))"))
             self.assertFalse(self.find("#missing").is_displayed())
             self.assert_fits(width)
+        # Its slider has the lesson's answer: what one ray costs in four divisions.
+        self.browser.get("about:blank")
+        self.browser.get(address + next(link for link in links if "grid=division-8&" in link).replace("&guess=1", ""))
+        self.wait_plane()
+        costs = []
+        for grid in range(self.js("return state.scene.given"), self.js("return state.scene.grids.length")):
+            self.js("planeView.choose(0, arguments[0])", grid)
+            self.wait_plane()
+            costs.append(self.js("return planeView.plots[0].costText.textContent.split(' = ')[1]"))
+        self.assertIn(f"it costs {', '.join(costs)}.", lesson)
         self.assert_quiet(address)
 
     # --- Made in memory ---
@@ -1069,7 +1088,7 @@ class Page(unittest.TestCase):
 
     def assert_hidden(self, printed):
         """No count of the ray is on the page, or said."""
-        text = self.js("return [document.querySelector('#walk').textContent, document.querySelector('.unseen').textContent, ...[...document.querySelectorAll('.walk-counts, .walk-cost, .walk-sentence')].filter((e) => !e.hidden).map((e) => e.textContent), "
+        text = self.js("return [document.querySelector('#walk').textContent, document.querySelector('.unseen').textContent, ...[...document.querySelectorAll('.walk-counts, .walk-cost, .walk-sentence')].filter((e) => !e.hidden && !e.classList.contains('unused')).map((e) => e.textContent), "
                        "...[...document.querySelectorAll('canvas.slice')].map((e) => e.getAttribute('aria-label'))].join(' ')")
         self.assertNotRegex(text, r"\d+ (cells?|nodes?|tests?)\b(?! list)|cost")
         self.assertEqual(self.js("return [walkPanel.lastStep, document.querySelectorAll('.walk-steps').length]"), [0, 0])

@@ -34,11 +34,11 @@ class SlicePlot {
       part.style.background = color;
       return part;
     }));
-    this.cost = element('p', {class: 'walk-cost', hidden: true}, this.costText, this.costBar);
+    this.cost = element('div', {class: 'row walk-cost unused'}, this.costText, this.costBar);
     this.sentence = element('p', {class: 'walk-sentence', hidden: true});
     this.root = element('figure', {class: 'picture'},
-      element('div', {class: 'bar'}, element('div', {class: 'row'}, element('label', {}, 'Grid ', this.gridSelect), this.division.root), this.facts),
-      element('div', {class: 'plot'}, this.canvas, this.counts, this.cost, this.sentence));
+      element('div', {class: 'bar'}, element('div', {class: 'row'}, element('label', {}, 'Grid ', this.gridSelect), this.division.root), this.facts, this.cost),
+      element('div', {class: 'plot'}, this.canvas, this.counts, this.sentence));
   }
 
   // Pixels of the canvas from scene units and back. zoom: {u, v, scale, axis}: its middle, how much larger, and of which slices; others, and null: all.
@@ -158,7 +158,7 @@ class SlicePlot {
 
   // cost: {tests, steps} of [a, b] each, null where it isn't known; highest: that of the longest bar.
   showCost(cost, [a, b], highest) {
-    this.cost.hidden = !cost;
+    this.cost.classList.toggle('unused', !cost); // its room stays
     if (!cost) return;
     this.costText.textContent = `cost ${a} · ${Text.count(cost.tests)} + ${b} · ${Text.count(cost.steps)} = ${Text.cost(a * cost.tests + b * cost.steps)}`;
     [a * cost.tests, b * cost.steps].forEach((part, i) => { this.costBar.children[i].style.width = `${highest > 0 ? 100 * part / highest : 0}%`; });
