@@ -306,7 +306,7 @@ MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearH
     found.object = surface_of(scene, primitive).object;
     found.face = face_of(scene, primitive);
     if (primitive < scene.triangle_count) {
-      const TriangleHit hit = triangle_hit(near.ray, near.hit.t, scene.triangles[primitive]);
+      const TriangleHit hit = triangle_hit(near.ray, near.hit.t, *scene.triangle(primitive));
       found.normal = cast<float>(hit.normal);
       found.u = static_cast<float>(hit.u);
       found.v = static_cast<float>(hit.v);
