@@ -1220,10 +1220,14 @@ class Page(unittest.TestCase):
             wait_until(lambda: "grid=division-128," in self.js("return location.hash"), "the address holds the division")
             fragment = self.js("return location.hash")
             self.screenshot("division")
-            self.show_plane(server, 1024, 768, fragment=fragment)
-            self.assertEqual(self.find(".plots .division output").text, "128³")
-            self.assertEqual(len(set(self.js("return planeView.plots.slice(0, 2).map((plot) => plot.canvas.clientHeight)"))), 1)
-            self.assert_fits(1024)
+            for width, height in [(400, 800), (1024, 768), (1920, 1080)]:
+                for asks in (False, True):
+                    self.show_plane(server, width, height, fragment=fragment)
+                    self.js("setGuess(arguments[0])", asks)
+                    self.assertEqual(self.find(".plots .division output").text, "128³")
+                    self.assertEqual(len(set(self.js("return planeView.plots.map((plot) => plot.canvas.clientHeight)"))), 1)
+                    self.assert_fits(width)
+                    self.screenshot(f"division-{width}-{asks}")
             # Over the pictures, with the command that makes them; g goes through it, too.
             self.show(1280, 640, server=server, fragment="#grid=division-8,division-64&channel=tests,tests")
             self.assertEqual([text.text for text in self.browser.find_elements(By.CSS_SELECTOR, ".picture .division output")], ["8³", "64³"])

@@ -334,7 +334,7 @@ class PlaneView {
       plot.sentence.textContent = walkPanel.sentenceOf(grid);
       plot.sentence.hidden = !plot.sentence.textContent;
       plot.counts.textContent = ray ? this.progress(ray, step, last, visited(this.scene.grids[grid])) + walkPanel.guessOf(grid) : '';
-      plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${ray ? `${plot.counts.textContent}. ${plot.costText.textContent}. ` : ''}Arrow keys move the ray’s end, with Shift its origin.`);
+      plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${ray ? `${plot.counts.textContent}. ${plot.costText.textContent}. ` : ''}Arrow keys move the ray’s end, with Shift its origin${walkPanel.isAsking ? ', Enter leads to the guess' : ''}.`);
     });
   }
 
