@@ -50,11 +50,13 @@ template <class Stored>
 std::unique_ptr<StructureBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
                                                       std::function<void(double)> progress = {});
 
-// On a CUDA device, which is the thread's current one until the builder is destroyed. Throws Error(device)
-// where there is none, and when it fails.
+// On a CUDA device, which is the thread's current one until the builder is destroyed. `is_timed`: all code is
+// brought to the device first, so that device_seconds() are of building alone. Throws Error(device) where
+// there is none, and when it fails.
 template <class Stored>
 std::unique_ptr<StructureBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device = 0,
-                                                       std::function<void(double)> progress = {});
+                                                       std::function<void(double)> progress = {},
+                                                       bool is_timed = true);
 
 // On the CPU.
 template <class Stored>

@@ -48,7 +48,7 @@ auto on_gpu(int gpu, const ProgressMonitor* progress, const Act& act) {
 template <class Stored>
 class CudaBuilder final : public StructureBuilder<Stored> {
 public:
-  CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress)
+  CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress, bool is_timed)
       : StructureBuilder<Stored>(std::move(progress)), host_(scene), gpu_(gpu) {
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
@@ -56,7 +56,7 @@ public:
       const Stopwatch watch;
       pool_ = std::make_unique<MemoryPool>();
       executor_ = std::make_unique<CudaExecutor>(*pool_, &this->progress());
-      warm_up();
+      if (is_timed) warm_up();
       seconds_.set_up = watch.seconds();
       device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_);
       seconds_.upload = watch.seconds() - seconds_.set_up;
@@ -138,7 +138,7 @@ private:
     Structure copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {},
                    {},          {},        grid.detail,     grid.exceeded};
     if (copy.exceeded != nullptr) return copy;
-    Transfer transfer(*pool_);
+    Transfer& transfer = device_->upload;
     const auto fetch = [&](const auto& from, auto& to) {
       to.resize(from.size());
       transfer.to_host(to.data(), from.data(), from.size() * sizeof(to[0]));
@@ -193,12 +193,12 @@ template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const 
 
 template <class Stored>
 std::unique_ptr<StructureBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device,
-                                                       std::function<void(double)> progress) {
-  return std::make_unique<CudaBuilder<Stored>>(scene, device, std::move(progress));
+                                                       std::function<void(double)> progress, bool is_timed) {
+  return std::make_unique<CudaBuilder<Stored>>(scene, device, std::move(progress), is_timed);
 }
 template std::unique_ptr<StructureBuilder<float>> cuda_builder(const SceneView<float>&, int,
-                                                               std::function<void(double)>);
+                                                               std::function<void(double)>, bool);
 template std::unique_ptr<StructureBuilder<double>> cuda_builder(const SceneView<double>&, int,
-                                                                std::function<void(double)>);
+                                                                std::function<void(double)>, bool);
 
 } // namespace masu

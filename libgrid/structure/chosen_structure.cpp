@@ -306,7 +306,7 @@ StructureFile built_in_memory(const SceneFile& scene, const BuildOptions& option
                               const std::function<void(double)>& progress, std::optional<int> cuda_device) {
   return scene.with_view([&](const auto& view) {
     const auto builder =
-        cuda_device ? cuda_builder(view, *cuda_device, progress) : cpu_builder(view, progress);
+        cuda_device ? cuda_builder(view, *cuda_device, progress, false) : cpu_builder(view, progress);
     const DescribedStructure built = build_chosen(*builder, scene.geometry(), options);
     return structure_in_memory(built.grid, built.provenance);
   });

@@ -17,6 +17,8 @@ constexpr std::size_t min_pinned_bytes = 8 * part_bytes; // less isn't worth all
 
 using Fill = SectionReader::Fill;
 
+} // namespace
+
 // A part of a copy to the device.
 struct Upload {
   void* to;
@@ -76,6 +78,14 @@ private:
   cudaMemPool_t pool_;
   int next_ = 0;
 };
+
+struct StagingOfThreads {
+  tbb::enumerable_thread_specific<StagingBuffers> of_threads;
+
+  explicit StagingOfThreads(cudaMemPool_t pool) : of_threads([pool] { return StagingBuffers(pool); }) {}
+};
+
+namespace {
 
 // Pageable memory, for little.
 class PlainBuffer {
@@ -148,13 +158,13 @@ void Transfer::run() {
     for (const Piece& piece : pieces)
       make(piece, buffer);
   } else {
-    tbb::enumerable_thread_specific<StagingBuffers> buffers([&] { return StagingBuffers(pool_); });
+    if (staging_ == nullptr) staging_ = std::make_shared<StagingOfThreads>(pool_);
     const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     tbb::task_arena arena(std::min(copy_threads, static_cast<int>(allowed)));
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         const DeviceScope of_thread(device_);
-        make(pieces[i], buffers.local());
+        make(pieces[i], staging_->of_threads.local());
       });
     });
   }

@@ -11,6 +11,8 @@
 
 namespace masu {
 
+struct StagingOfThreads; // page-locked memory
+
 // A list of copies that are then made together. The driver copies pageable memory with one thread, far below
 // the bandwidth of the bus; a few threads that copy through page-locked memory saturate it. So sections of
 // files go from the file to the device, and are nowhere else on the host.
@@ -46,8 +48,8 @@ public:
     if (room > 0) check(cudaMemsetAsync(device.data() + count, 0, room * sizeof(T), nullptr));
     return device;
   }
-  // Makes the copies, and checks the hashes of sections. Throws Error(device), and Error(input) as
-  // SectionReader has it.
+  // Makes the copies, and checks the hashes of sections. More may follow, through the same page-locked
+  // memory. Throws Error(device), and Error(input) as SectionReader has it.
   void run();
 
 private:
@@ -61,6 +63,7 @@ private:
   };
 
   std::vector<Copy> copies_;
+  std::shared_ptr<StagingOfThreads> staging_; // of the first large run() on
   int device_ = 0;
   cudaMemPool_t pool_ = nullptr;
 };

@@ -43,8 +43,8 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, con
   const DeviceScope scope(device);
   const auto memory = std::make_shared<DeviceMemory>(device);
   auto files = std::make_shared<DeviceFiles>(memory);
-  Transfer upload(memory->pool);
   const auto upload_as = [&]<class Stored>(std::optional<DeviceFilesOf<Stored>>& stored) {
+    Transfer upload(memory->pool);
     stored.emplace(scene, structure, memory->pool, upload);
     upload.run();
     files->kinds = checked_kinds(*stored, scene, structure, upload);

@@ -32,7 +32,7 @@ machine() {
     echo "cpu=$(sed -nE '0,/^model name/s/^model name\s*: //p' /proc/cpuinfo)"
     echo "cores=$cores"
     if [ "$backend" = cuda ]; then
-      echo "device=$(gridbuild probe.scene -o probe.grid --device cuda --json -q |
+      echo "device=$(gridbuild probe.scene -o probe.grid --merge none --device cuda --json -q |
         sed -nE 's/.*"device":"([^"]*)".*/\1/p')"
       echo "driver=$(nvidia-smi --query-gpu=driver_version --format=csv,noheader | head -n 1)"
     fi
