@@ -22,7 +22,7 @@ function kin(cells, [, , , , , , inner, number]) {
 // One slice. Draws cells or boxes once for each window, and the ray over them.
 class SlicePlot {
   constructor(index, scene, colors, choose) {
-    Object.assign(this, {index, colors, cells: document.createElement('canvas'), key: '', hovered: null});
+    Object.assign(this, {index, colors, cells: document.createElement('canvas'), key: '', hovered: null, pixel: 1});
     this.gridSelect = element('select');
     this.division = new DivisionSlider(this.gridSelect, scene, scene.grids.length, (grid) => choose(index, grid));
     this.facts = element('output', {class: 'status', 'aria-live': 'off'});
@@ -46,7 +46,8 @@ class SlicePlot {
     const {canvas} = this;
     const [w, h] = [slice.voxels[0] * slice.step[0], slice.voxels[1] * slice.step[1]];
     const {u, v, scale: larger} = zoom?.axis === slice.axis ? zoom : {u: slice.min[0] + w / 2, v: slice.min[1] + h / 2, scale: 1};
-    const scale = larger * Math.min((canvas.width - 24) / w, (canvas.height - 24) / h);
+    const high = Math.max(canvas.height / 3, canvas.height - 60 * this.pixel); // between what is said above and below
+    const scale = larger * Math.min((canvas.width - 24) / w, high / h);
     return {scale, x: (at) => canvas.width / 2 + (at - u) * scale, y: (at) => canvas.height / 2 - (at - v) * scale,
             u: (x) => u + (x - canvas.width / 2) / scale, v: (y) => v - (y - canvas.height / 2) / scale};
   }
