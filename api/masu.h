@@ -167,6 +167,31 @@ typedef struct masu_primitive {
 /* `index` is a primitive's, as hits report it. */
 MASU_API masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_primitive* primitive);
 
+/* How many faults there are of a kind, and the first of them, up to 8: by the triangle, and for edges by the
+ * corner, 0 to 2, from which the edge runs to the triangle's next one. */
+typedef struct masu_faults {
+  uint64_t count;
+  uint32_t primitives[8], corners[8];
+} masu_faults;
+
+/* A scene's triangles, all as one mesh. Corners with the same stored coordinates are one point; edges have a
+ * length, and are of triangles that can be hit. */
+typedef struct masu_mesh_check {
+  size_t size;
+  uint64_t points, edges;
+  /* Edges of an odd number of triangles. Where there is none, every line crosses the mesh an even number of
+   * times, so the parity of masu_count_hits() tells inside from outside. */
+  masu_faults open_edges;
+  masu_faults inconsistent_edges; /* of an even number that don't run along it half each way. Where there is
+                                     none either, lines enter as often as they leave, as masu_inside() needs */
+  masu_faults nonmanifold_edges;  /* of more than two */
+  masu_faults faces_without_area; /* corners on a line, exactly, or one point */
+  masu_faults duplicate_faces;    /* of the same points as one before, in any order */
+} masu_mesh_check;
+
+/* Its size must be set. Spheres, which are closed, and cones, which aren't, are left out. */
+MASU_API masu_status masu_scene_check(const masu_scene* scene, masu_mesh_check* check);
+
 /* --- Grids --------------------------------------------------------------------------------------------- */
 
 typedef struct masu_grid masu_grid;

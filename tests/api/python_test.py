@@ -349,6 +349,21 @@ class Scenes(WithFolder):
         hits = tracer.nearest(random_rays(self.random, 2000), fields=("primitive_ids", "geometry_ids"))
         np.testing.assert_array_equal(hits["geometry_ids"], np.array(objects + [-1])[hits["primitive_ids"]])
 
+    def test_checks_say_what_is_wrong_with_a_mesh(self):
+        corners, faces = cube()
+        whole = masu.Scene(corners, faces).check()
+        self.assertTrue(whole.is_closed and whole.is_oriented)
+        self.assertEqual((whole.points, whole.edges, whole.nonmanifold_edges), (8, 18, masu.Faults(0, [])))
+        turned = faces.copy()
+        turned[5] = turned[5, ::-1]
+        check = masu.Scene(corners, turned).check()
+        self.assertTrue(check.is_closed and not check.is_oriented)
+        self.assertEqual(check.inconsistent_edges.count, 3)
+        self.assertTrue(all(turned[face, corner] in faces[5] for face, corner in check.inconsistent_edges.examples))
+        open_box = masu.Scene(corners, np.concatenate([faces[:10], [[3, 3, 5], faces[9]]])).check()
+        self.assertFalse(open_box.is_closed)
+        self.assertEqual((open_box.faces_without_area, open_box.duplicate_faces), (masu.Faults(1, [10]), masu.Faults(1, [11])))
+
     def test_any_layout_and_type_of_vertices_and_faces(self):
         vertices, faces = random_mesh(self.random, 30)
 

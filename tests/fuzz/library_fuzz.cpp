@@ -243,6 +243,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (tracer != nullptr) static_cast<void>(masu_tracer_update(tracer, &moved));
       auto primitive = sized<masu_primitive>(input);
       static_cast<void>(masu_scene_primitive(scene, input.take<std::uint16_t>(), &primitive));
+      auto check = sized<masu_mesh_check>(input);
+      static_cast<void>(masu_scene_check(scene, &check));
       break;
     }
     default:

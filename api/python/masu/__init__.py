@@ -12,8 +12,10 @@ then where the system's loader looks. NumPy, PyTorch and CuPy are imported when 
 from ._library import Error, Status, __version__, gpu_count
 from ._ray_mesh_intersector import RayMeshIntersector
 from ._raycasting_scene import RaycastingScene
-from ._scene import Description, Grid, GridDescription, Mesh, Primitive, Quadrics, Scene, load, load_grid
+from ._scene import (Description, Faults, Grid, GridDescription, Mesh, MeshCheck, Primitive, Quadrics, Scene, load,
+                     load_grid)
 from ._tracer import CLOSEST_FIELDS, FIELDS, Tracer
 
-__all__ = ["CLOSEST_FIELDS", "Description", "Error", "FIELDS", "Grid", "GridDescription", "Mesh", "Primitive", "Quadrics",
-           "RayMeshIntersector", "RaycastingScene", "Scene", "Status", "Tracer", "__version__", "gpu_count", "load", "load_grid"]
+__all__ = ["CLOSEST_FIELDS", "Description", "Error", "FIELDS", "Faults", "Grid", "GridDescription", "Mesh", "MeshCheck",
+           "Primitive", "Quadrics", "RayMeshIntersector", "RaycastingScene", "Scene", "Status", "Tracer", "__version__",
+           "gpu_count", "load", "load_grid"]
