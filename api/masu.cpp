@@ -3,9 +3,13 @@
 #include "libscene/base/printable.h"
 #include "libscene/base/processor.h"
 #include "objects.h"
+#include "renderer/backend.h"
 #include "renderer/rays/automatic_loop.h"
 #include "renderer/rays/closest_points.h"
 #include "renderer/tracer/tracer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <mutex>
 #include <optional>
@@ -122,6 +126,8 @@ RayResults results_of(const masu_hits* hits) {
   results.normal = reinterpret_cast<float(*)[3]>(wanted.normal);
   results.face = wanted.face;
   results.front = wanted.front;
+  results.position = reinterpret_cast<double(*)[3]>(wanted.position);
+  results.shading = reinterpret_cast<float(*)[3]>(wanted.shading);
   return results;
 }
 
@@ -129,21 +135,22 @@ RayFilters filters_of(const masu_query& query) {
   return {query.exclude, query.ray_masks, query.object_masks, query.object_count};
 }
 
-// Of arrays that don't lie where the rays are, or not as their numbers must.
-void check_arrays(int place, const RayResults& results, const RayFilters& filters,
-                  const double* points = nullptr) {
-  const auto check = [place](const auto* array) {
-    if (array == nullptr) return;
-    if (device_of(array) != place)
-      fail("results", "don't lie where the rays are: take memory of one kind and device for all");
-    if (reinterpret_cast<std::uintptr_t>(array) % alignof(std::remove_pointer_t<decltype(array)>) != 0)
-      fail("results", "aren't aligned as their numbers must be");
-  };
+// An array that may be null: that it lies where the others do, and as its numbers must.
+template <class T>
+void check_array(int place, const T* array, const char* name) {
+  if (array == nullptr) return;
+  if (device_of(array) != place)
+    fail(name, "don't lie where the other arrays do: take memory of one kind and device for all");
+  if (reinterpret_cast<std::uintptr_t>(array) % alignof(T) != 0)
+    fail(name, "aren't aligned as their numbers must be");
+}
+
+void check_arrays(int place, const RayResults& results, const RayFilters& filters) {
+  const auto check = [place](const auto* array) { check_array(place, array, "results"); };
   for_each_array(results, check);
   check(filters.excluded);
   check(filters.object_masks);
   check(filters.ray_masks);
-  check(points);
 }
 
 // Traces rays where they lie; the results must be there, too.
@@ -354,7 +361,8 @@ masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t c
   return guarded([&] {
     require(tracer, "tracer");
     const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
-    const RayResults results = hits != nullptr ? results_of(hits) : RayResults{};
+    RayResults results = hits != nullptr ? results_of(hits) : RayResults{};
+    if (points != nullptr) results.position = reinterpret_cast<double(*)[3]>(points);
     const auto format = choice<int>(wanted.format, 4, "format");
     if (format != MASU_RAYS_FLOAT32 && format != MASU_RAYS_FLOAT64)
       fail("format", "is of rays: places are MASU_RAYS_FLOAT32 or MASU_RAYS_FLOAT64");
@@ -367,14 +375,41 @@ masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t c
     if (device_of(places) != host_memory) fail("places", "must lie in host memory");
     if (reinterpret_cast<std::uintptr_t>(places) % (list.is_float64 ? sizeof(double) : sizeof(float)) != 0)
       fail("places", "aren't aligned as their numbers must be");
-    check_arrays(host_memory, results, list.filters, points);
+    check_arrays(host_memory, results, list.filters);
     const auto state = tracer->state();
     if (state->is_on_gpu_alone) fail("tracer", "was moved on a GPU: closest points are found in host memory");
     GoOn go_on(wanted.go_on, wanted.user);
     const auto progress = go_on.progress();
     on_threads_up_to(wanted.threads, [&] {
-      closest_points(*state->scene, hierarchy_of(*state, progress).get(), list, results,
-                     reinterpret_cast<double(*)[3]>(points), progress);
+      closest_points(*state->scene, hierarchy_of(*state, progress).get(), list, results, progress);
+    });
+  });
+}
+
+masu_status masu_interpolate(const masu_values* values, const uint32_t* primitive, const float* uv,
+                             size_t count, float* interpolated) {
+  return guarded([&] {
+    const masu_values given = taken(values, "masu_values");
+    if (count == 0 || given.width == 0) return;
+    if (given.count > 0 && given.triangle_count > 0) require(given.values, "values");
+    require(primitive, "primitive");
+    if (given.per_face == 0) require(uv, "uv");
+    if (given.per_face != 0 && given.indices != nullptr) fail("indices", "aren't used by values per face");
+    require(interpolated, "interpolated");
+    const int place = device_of(primitive);
+    check_array(place, primitive, "primitive");
+    check_array(place, uv, "uv");
+    check_array(place, interpolated, "interpolated");
+    check_array(place, given.values, "values");
+    check_array(place, given.indices, "indices");
+    const CornerValues of{given.values,  given.width,          given.count,
+                          given.indices, given.triangle_count, given.per_face != 0};
+    const InterpolatedHits hits{primitive, reinterpret_cast<const float(*)[2]>(uv), interpolated};
+    if (place != host_memory) return interpolate_cuda(of, hits, count, place, given.stream);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+        for (std::size_t k = 0; k < of.width; ++k)
+          hits.results[i * of.width + k] = masu::interpolated(of, hits, i, k);
     });
   });
 }

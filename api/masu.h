@@ -413,7 +413,23 @@ typedef struct masu_hits {
   double* t64;    /* t, with all digits that the query's precision has */
   uint8_t* front; /* 1 where the ray meets the front, else 0: exactly; of lists of all hits so that their sum
                    * is right for closed meshes, also where they are met at an edge or by a sliver */
+  double* position; /* 3 per ray: the point of the primitive that is hit, in the rays' coordinates; NaN for a
+                       miss */
+  float* shading;   /* 3 per ray: the shading normal, of unit length: interpolated between the normals at the
+                       corners where a scene from a file has them, else as `normal` */
 } masu_hits;
+
+/* Values at the corners of triangles: rows of `width` floats. */
+typedef struct masu_values {
+  size_t size;
+  const float* values;
+  size_t width, count;     /* floats of a row; rows */
+  const uint32_t* indices; /* 3 per triangle: the rows of its corners; NULL: triangle i has rows 3i to 3i + 2 */
+  size_t triangle_count;
+  int per_face; /* not 0: triangle i has row i at all its corners, and indices are NULL */
+  int reserved;
+  void* stream; /* cudaStream_t where arrays lie in device memory; NULL: the default stream */
+} masu_values;
 
 /* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of a GPU of
  * the tracer's, which is found out from the pointers (with a tracer on the CPU: in host memory). Rays need
@@ -429,6 +445,13 @@ typedef struct masu_hits {
  * process. */
 MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t count,
                                   const masu_query* query, const masu_hits* hits);
+
+/* (1 - u - v) a + u b + v c for each hit, as masu_hits has primitive and uv: a row of `width` floats each, of
+ * the values at the hit triangle's corners; rounded once or twice. Zeros for what is no triangle of `values`,
+ * such as a miss, and where a corner's index isn't a row's. All arrays lie in host memory, or all in the memory
+ * of one GPU, where the work is queued on the stream; per_face needs no uv. */
+MASU_API masu_status masu_interpolate(const masu_values* values, const uint32_t* primitive, const float* uv,
+                                      size_t count, float* interpolated);
 
 /* Whether each ray hits anything: 1 or 0. */
 MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count,

@@ -31,7 +31,7 @@ trace_in_lanes([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]]
       if (!results.has_attributes() && !may_be_rounded<Real>(rays.format)) return;
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
-      add_skipped(ray.skipped, results, i, 1);
+      to_list(ray.skipped, rays.format.origin, results, i, 1);
     };
     const auto by_list = [&]<class Tests>(Tests, const HierarchyView<Real>& hierarchy) {
       return trace_list<query, Tests>(scene, hierarchy, rays.rays, rays.format, first, end, found);
@@ -72,7 +72,7 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
       add(counts, ray_counts);
       if (query != Query::nearest_hit) continue;
       if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
-      add_skipped(ray.skipped, results, i, 1);
+      to_list(ray.skipped, rays.format.origin, results, i, 1);
     }
     add(totals.local(), counts);
   });
@@ -93,7 +93,7 @@ void list_hits(const SceneView<Stored>& scene, const StructureFile* structure, c
           progress.done(i);
           const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
           write_hits<Method<TestRay, with_all_kinds>>(scene, view, ray.ray, rays.filters, rules, results, i);
-          add_skipped(ray.skipped, results, i * rules.row(), rules.row());
+          to_list(ray.skipped, rays.format.origin, results, i * rules.row(), rules.row());
         }
       });
 }

@@ -21,7 +21,7 @@ Vec3d place_of(const PlaceList& places, std::size_t i) {
 
 template <class Stored>
 void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const Vec3d& origin,
-           const RayResults& results, double (*points)[3], std::size_t i) {
+           const RayResults& results, std::size_t i) {
   const auto& [closest, primitive] = found;
   const bool is_there = primitive != no_primitive;
   const double distance = std::sqrt(closest.squared);
@@ -31,23 +31,24 @@ void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const 
   HitAttributes found_there;
   if (is_there) {
     const double length = std::sqrt(dot(closest.normal, closest.normal));
-    found_there = {surface_of(scene, primitive).object, face_of(scene, primitive),
-                   static_cast<float>(closest.weight_b), static_cast<float>(closest.weight_c),
-                   cast<float>(length > 0 ? closest.normal * (1 / length) : closest.normal)};
+    const Vec3d normal = length > 0 ? closest.normal * (1 / length) : closest.normal;
+    found_there.object = surface_of(scene, primitive).object;
+    found_there.face = face_of(scene, primitive);
+    if (primitive < scene.triangle_count)
+      set_on_triangle(found_there, scene, scene.triangles[primitive], normal, closest.weight_b,
+                      closest.weight_c);
+    else
+      found_there.normal = found_there.shading = cast<float>(normal);
+    found_there.position = closest.point;
   }
   write_attributes(found_there, results, i);
-  if (points == nullptr) return;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const Vec3d point = is_there ? closest.point + origin : Vec3d{nan, nan, nan};
-  for (int axis = 0; axis < 3; ++axis)
-    points[i][axis] = point[axis];
+  to_list(0, origin, results, i, 1);
 }
 
 } // namespace
 
 void closest_points(const SceneFile& scene, const StructureFile* hierarchy, const PlaceList& places,
-                    const RayResults& results, double (*points)[3],
-                    const std::function<void(double)>& progress) {
+                    const RayResults& results, const std::function<void(double)>& progress) {
   check_filters(places.filters, scene.counts().objects);
   if (const Boxd bounds = scene.bounds(); !is_empty(bounds) && largest_magnitude(bounds) > max_closest)
     throw Error(ErrorCode::usage, "scene", "has coordinates beyond 1e37, too large for distances");
@@ -58,7 +59,7 @@ void closest_points(const SceneFile& scene, const StructureFile* hierarchy, cons
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         const HitFilter filter = places.filters.of(i);
         write(view, closest_primitive(view, structure, place_of(places, i) - origin, filter), origin, results,
-              points, i);
+              i);
         list_progress.done(i);
       }
     });

@@ -13,16 +13,14 @@ struct PlaceList {
   RayFilters filters{}; // as of rays
 };
 
-// Writes the distance of each place as t and t64, and primitive, object, face, (u, v) and the normal of the
-// closest point as RayResults has them; and the point, in the list's coordinates. Where there is none they
-// are infinity, no_primitive, 0 and NaN. Of primitives that are as far the lowest index is taken. All is
-// computed in double, whatever the scene is stored in.
+// Writes the distance of each place as t and t64, and what RayResults has besides of the closest point, but
+// for `front`. Where there is none it is as of a miss. Of primitives that are as far the lowest index is
+// taken. All is computed in double, whatever the scene is stored in.
 //
 // `hierarchy`: of the scene; null: every primitive is tried. `progress`: as RaysRequest has it. Throws
 // Error(usage) for filters of another scene, and for a scene with coordinates beyond max_closest
 // (libgrid/trace/closest.h).
 void closest_points(const SceneFile& scene, const StructureFile* hierarchy, const PlaceList& places,
-                    const RayResults& results, double (*points)[3],
-                    const std::function<void(double)>& progress = {});
+                    const RayResults& results, const std::function<void(double)>& progress = {});
 
 } // namespace masu

@@ -107,6 +107,8 @@ protected:
     copy.t = found.t.host(n);
     copy.uv = found.uv.host(2 * n);
     copy.normal = found.normal.host(3 * n);
+    copy.shading = found.shading.host(3 * n);
+    copy.position = found.position.host(3 * n);
     copy.primitive = found.primitive.host(n);
     copy.object = found.object.host(n);
     copy.face = found.face.host(n);
@@ -168,6 +170,36 @@ TEST_F(LibraryOnGpu, ListsTheCpusHits) {
   EXPECT_EQ(cudaStreamSynchronize(nullptr), cudaSuccess);
   EXPECT_TRUE((Lists{t.host(limit * n), primitive.host(limit * n), counts.host(n), all.host(n),
                      front.host(limit * n), inside.host(n)} == expected));
+}
+
+TEST_F(LibraryOnGpu, InterpolatesTheCpusBits) {
+  const std::size_t n = 100'000, width = 5, rows = 9000;
+  const std::vector<masu_ray> list = rays(n);
+  const Found found = found_by(*cpu_, list);
+  std::vector<float> values(rows * width);
+  for (float& value : values)
+    value = std::uniform_real_distribution<float>(-1, 1)(engine_);
+  std::vector<std::uint32_t> indices(rows);
+  for (std::uint32_t& index : indices)
+    index = static_cast<std::uint32_t>(engine_() % (rows + 10)); // some aren't rows
+  const Device<float> device_values(values), uv(found.uv), on_gpu(n * width);
+  const Device<std::uint32_t> device_indices(indices), primitive(found.primitive);
+  for (const int kind : {0, 1, 2}) {
+    auto of = masu::sized<masu_values>();
+    of.width = width;
+    of.count = rows;
+    of.triangle_count = 3000;
+    of.per_face = kind == 2 ? 1 : 0;
+    of.values = values.data();
+    of.indices = kind == 0 ? indices.data() : nullptr;
+    std::vector<float> expected(n * width);
+    ASSERT_DONE(masu_interpolate(&of, found.primitive.data(), found.uv.data(), n, expected.data()));
+    of.values = device_values.data();
+    EXPECT_EQ(masu_interpolate(&of, primitive.data(), found.uv.data(), n, on_gpu.data()), MASU_ERROR_USAGE);
+    of.indices = kind == 0 ? device_indices.data() : nullptr;
+    ASSERT_DONE(masu_interpolate(&of, primitive.data(), uv.data(), n, on_gpu.data()));
+    EXPECT_TRUE(on_gpu.host(n * width) == expected);
+  }
 }
 
 // By every loop.

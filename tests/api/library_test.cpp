@@ -377,8 +377,10 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   EXPECT_TRUE(same(doubles8.data(), MASU_RAYS_FLOAT64));
   // Whatever is left out, the rest is the same.
   Found some(rays.size());
-  const masu_hits only{sizeof(masu_hits), nullptr, nullptr, some.object.data(), nullptr, some.normal.data(),
-                       some.face.data(),  nullptr, nullptr};
+  masu_hits only = masu::sized<masu_hits>();
+  only.object = some.object.data();
+  only.normal = some.normal.data();
+  only.face = some.face.data();
   tracer.nearest(rays.data(), rays.size(), only);
   EXPECT_EQ(some.object, all.object);
   EXPECT_EQ(some.normal, all.normal);

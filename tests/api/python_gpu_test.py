@@ -100,6 +100,18 @@ class Torch(WithTracers):
                 self.assertEqual(array.device, torch.device("cuda:0"))
             self.same(hits, self.every(self.cpu, rays))
 
+    def test_values_are_interpolated_where_they_lie(self):
+        rays = self.lists()[0]
+        values, faces = self.random.uniform(-1, 1, (len(self.mesh[0]), 4)), self.mesh[1]
+        hits = self.cpu.nearest(rays, fields=("primitive_ids", "primitive_uvs"))
+        on_gpu = self.gpu.nearest(torch.as_tensor(rays, device="cuda:0"), fields=("primitive_ids", "primitive_uvs"))
+        expected = masu.interpolate(hits, values, faces)
+        found = masu.interpolate(on_gpu, torch.as_tensor(values, device="cuda:0"),
+                                 torch.as_tensor(faces.astype(np.int64), device="cuda:0"))
+        self.assertEqual(found.device, torch.device("cuda:0"))
+        self.same({"values": found}, {"values": expected})
+        self.assertRaises(ValueError, masu.interpolate, on_gpu, values, faces)
+
     def test_tensors_in_host_memory(self):
         for rays in self.lists(500):
             for tracer in (self.cpu, self.gpu):

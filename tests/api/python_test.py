@@ -127,7 +127,7 @@ class Queries(WithFolder):
         self.assertEqual({name: str(array.dtype) for name, array in every.items()},
                          {"t_hit": "float32", "primitive_ids": "int32", "geometry_ids": "int32",
                           "primitive_uvs": "float32", "primitive_normals": "float32", "face_ids": "int32",
-                          "t_hit64": "float64", "front": "bool"})
+                          "t_hit64": "float64", "front": "bool", "positions": "float64", "normals": "float32"})
 
     def test_all_hits_are_counted_and_listed_in_order(self):
         self.made = masu.Scene(*cube())
@@ -170,6 +170,84 @@ class Queries(WithFolder):
                       lambda: tracer.nearest(rays, exclude=[1, 2])):
             with self.assertRaises(ValueError):
                 wrong()
+
+    def test_positions_are_on_the_primitive_in_the_rays_coordinates(self):
+        vertices, faces = random_mesh(self.random, 300)
+        spheres = np.concatenate([self.random.uniform(0, 1, (20, 3)), np.full((20, 1), 0.1)], 1)
+        away = np.float64([4096, -512, 0])
+        scene = masu.Scene(vertices + away, faces, spheres=spheres + np.append(away, 0))
+        self.assertTrue(any(scene.describe().origin))
+        rays = random_rays(self.random, 3000).astype(np.float64)
+        local = rays.copy()
+        local[:, :3] += away - np.float64(scene.describe().origin)
+        rays[:, :3] += away
+        with masu.Tracer(scene) as tracer:
+            hits = tracer.nearest(rays, fields=masu.FIELDS)
+            kinds = [(hits["primitive_ids"] >= 0) & (hits["primitive_ids"] < 300), hits["primitive_ids"] >= 300]
+            for kind in kinds:
+                self.assertGreater(kind.sum(), 20)
+                points = rays[:, :3] + hits["t_hit64"][:, None] * rays[:, 3:]
+                np.testing.assert_allclose(hits["positions"][kind], points[kind], atol=1e-4)
+            on_face = kinds[0]
+            uv = hits["primitive_uvs"][on_face].astype(np.float64)
+            corners = (vertices + away)[faces[hits["primitive_ids"][on_face]]]
+            weights = np.concatenate([1 - uv.sum(1, keepdims=True), uv], 1)
+            np.testing.assert_allclose((weights[:, :, None] * corners).sum(1), hits["positions"][on_face], atol=1e-6)
+            self.assertTrue(np.isnan(hits["positions"][hits["primitive_ids"] < 0]).all())
+            np.testing.assert_array_equal(hits["normals"], hits["primitive_normals"])
+            relative = tracer.nearest(local, fields="positions", relative=True)["positions"]
+            np.testing.assert_allclose(relative + scene.describe().origin, hits["positions"], atol=1e-9)
+            listed = tracer.all_hits(rays, 2, fields=masu.FIELDS)
+            np.testing.assert_array_equal(listed["positions"][:, 0], hits["positions"])
+
+    def test_normals_are_those_of_corners_interpolated(self):
+        with open(self.file("a.nff"), "w") as file:
+            file.write("f 1 1 1 1 0 0 0 1\npp 3\n0 0 0 0 0 1\n1 0 0 1 0 1\n0 1 0 0 2 0\ns 4 0 0 1\n")
+        corner_normals = np.float64([[0, 0, 1], [0.5 ** 0.5, 0, 0.5 ** 0.5], [0, 1, 0]])
+        rays = np.zeros((1000, 6))
+        rays[:, :2], rays[:, 2], rays[:, 5] = self.random.uniform(0, 1, (1000, 2)) * [6, 1], 5, -1
+        with masu.Tracer(masu.load(self.file("a.nff"))) as tracer:
+            hits = tracer.nearest(rays, fields=masu.FIELDS)
+            closest = tracer.closest(rays[:, :3], fields=masu.CLOSEST_FIELDS)
+        for found in (hits, closest):
+            faces = found["primitive_ids"] == 0
+            self.assertTrue(0 < faces.sum() < 1000)
+            expected = masu.interpolate(found, corner_normals[None])
+            expected /= np.maximum(np.linalg.norm(expected, axis=1, keepdims=True), 1e-30)
+            np.testing.assert_allclose(found["normals"][faces], expected[faces], atol=1e-6)
+            np.testing.assert_array_equal(found["normals"][~faces], found["primitive_normals"][~faces])
+
+    def test_values_are_interpolated(self):
+        tracer, rays = self.tracer_and_rays(2000)
+        vertices, faces = random_mesh(self.random, 200)
+        hits = tracer.all_hits(rays.reshape(40, 50, 6), 3, fields=("primitive_ids", "primitive_uvs"))
+        ids, uvs = hits["primitive_ids"], hits["primitive_uvs"].astype(np.float64)
+        self.assertTrue((ids < 0).any() and (ids >= 0).any())
+        weights = np.concatenate([1 - uvs.sum(-1, keepdims=True), uvs], -1)
+        values = self.random.uniform(-1, 1, (len(vertices), 5))
+        faces = self.random.permutation(faces.ravel()).reshape(-1, 3)
+        for number in (np.float32, np.float64):
+            by_index = masu.interpolate(hits, values.astype(number), faces)
+            self.assertEqual((by_index.dtype, by_index.shape), (np.float32, (40, 50, 3, 5)))
+            expected = np.where((ids >= 0)[..., None], (values[faces][ids] * weights[..., None]).sum(-2), 0)
+            np.testing.assert_allclose(by_index, expected, atol=1e-6)
+            np.testing.assert_array_equal(masu.interpolate(hits, values.astype(number)[faces]), by_index)
+        per_face = values[:len(faces)].astype(np.float32)
+        np.testing.assert_array_equal(masu.interpolate({"primitive_ids": ids}, per_face),
+                                      np.where((ids >= 0)[..., None], per_face[ids], 0))
+        ones = masu.interpolate(hits, np.ones((len(vertices), 1)), faces)
+        np.testing.assert_array_equal(ones[..., 0], ids >= 0)
+        self.assertEqual(masu.interpolate(hits, np.zeros((len(vertices), 0)), faces).shape, (40, 50, 3, 0))
+        beyond = faces.copy()
+        beyond[7] = len(vertices)
+        np.testing.assert_array_equal(masu.interpolate(hits, values, beyond)[ids == 7], 0)
+        np.testing.assert_array_equal(masu.interpolate(hits, values[:0], faces), np.zeros((40, 50, 3, 5)))
+        for wrong in (lambda: masu.interpolate(hits, values[0], faces), lambda: masu.interpolate(hits, values, faces[:, :2]),
+                      lambda: masu.interpolate(hits, np.zeros((5, 2, 3))), lambda: masu.interpolate({**hits, "primitive_uvs": uvs[0]}, values, faces),
+                      lambda: masu.interpolate({"primitive_ids": ids}, values, faces)):
+            self.assertRaises(ValueError, wrong)
+        self.assertRaises(TypeError, masu.interpolate, hits, values, faces.astype(float))
+        self.assertRaises(KeyError, masu.interpolate, {}, values)
 
     def test_closest_points_of_a_cube(self):
         corners, faces = cube()

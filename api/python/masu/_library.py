@@ -88,7 +88,13 @@ class QueryRecord(ctypes.Structure):
 
 class HitsRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("t", c_void_p), ("primitive", c_void_p), ("object", c_void_p), ("uv", c_void_p),
-                ("normal", c_void_p), ("face", c_void_p), ("t64", c_void_p), ("front", c_void_p)]
+                ("normal", c_void_p), ("face", c_void_p), ("t64", c_void_p), ("front", c_void_p),
+                ("position", c_void_p), ("shading", c_void_p)]
+
+
+class ValuesRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("values", c_void_p), ("width", c_size_t), ("count", c_size_t), ("indices", c_void_p),
+                ("triangle_count", c_size_t), ("per_face", c_int), ("reserved", c_int), ("stream", c_void_p)]
 
 
 class MeshRecord(ctypes.Structure):
@@ -220,6 +226,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_count_hits", c_int, *query, c_void_p)
     declare("masu_inside", c_int, *query, c_void_p)
     declare("masu_closest", c_int, *query, POINTER(HitsRecord), c_void_p)
+    declare("masu_interpolate", c_int, POINTER(ValuesRecord), c_void_p, c_void_p, c_size_t, c_void_p)
     return loaded
 
 

@@ -29,12 +29,15 @@ _FIELDS = {
     "face_ids": Field("face", "int32", ()),
     "t_hit64": Field("t64", "float64", ()),
     "front": Field("front", "bool", ()),
+    "positions": Field("position", "float64", (3,)),
+    "normals": Field("shading", "float32", (3,)),
 }
 FIELDS = tuple(_FIELDS)  # of Tracer.nearest() and all_hits()
 _CLOSEST_FIELDS = {
     "distances": Field("t64", "float64", ()),
-    "points": Field("", "float64", (3,)),
-    **{name: _FIELDS[name] for name in ("primitive_ids", "geometry_ids", "primitive_uvs", "primitive_normals", "face_ids")},
+    "points": _FIELDS["positions"],
+    **{name: _FIELDS[name] for name in ("primitive_ids", "geometry_ids", "primitive_uvs", "primitive_normals", "face_ids",
+                                           "normals")},
 }
 CLOSEST_FIELDS = tuple(_CLOSEST_FIELDS)  # of Tracer.closest()
 
@@ -216,6 +219,9 @@ class Tracer(Resource):
                            order; of others as primitive_ids; -1 for a miss
         t_hit64            float64: t with all digits that the precision has
         front              bool: whether the ray meets the front
+        positions          (..., 3) float64: the point of the primitive that is hit, in the rays' coordinates; NaN for a miss
+        normals            (..., 3) float32: shading normals, of unit length: interpolated where a scene from a file has them
+                           at its corners (masu.load(path, smooth=True)), else primitive_normals
 
         precision: "auto" ("robust", or "double" for a scene in float64), "robust", "double", or "fast", which is for
         comparison. coherent: neighbours in the array have similar origins and directions, which changes the speed
@@ -281,16 +287,13 @@ class Tracer(Resource):
 
         distances          float64; infinity where there is no surface
         points             (..., 3) float64: the closest points
-        primitive_ids, geometry_ids, primitive_uvs, primitive_normals, face_ids   as nearest() has them, of these
+        primitive_ids, geometry_ids, primitive_uvs, primitive_normals, face_ids, normals   as nearest() has them, of these
 
         Other arguments are those of nearest(), masks and exclude of points instead of rays. All is computed on the CPU and in
         float64. Of primitives at the same distance the lowest index is reported. If the grid isn't a hierarchy, the first call
         builds one."""
-        def arguments(pointers: Dict[str, int]) -> Tuple[Any, ...]:
-            to = pointers.pop("points", None)
-            return _hits(pointers, _CLOSEST_FIELDS), to
-
-        return self._query(library.masu_closest, arguments, chosen(fields, _CLOSEST_FIELDS), locals(), "points", (3,))
+        return self._query(library.masu_closest, lambda pointers: (_hits(pointers, _CLOSEST_FIELDS), None),
+                           chosen(fields, _CLOSEST_FIELDS), locals(), "points", (3,))
 
     def _query_one(self, function: Callable[..., int], number: str, given: Dict[str, Any]) -> Any:
         return self._query(function, lambda pointers: (pointers["found"],), {"found": Field("", number, ())},
@@ -332,8 +335,8 @@ class Tracer(Resource):
                     filters[each] = arrays.empty(needed, "int32", rays)
                     filters[each][...] = _int32(each, operator.index(given[each]))
                 else:
-                    others, array = _arrays.recognize(each, given[each], stream)
-                    if others is not arrays or arrays.gpu(array, each) != gpu or tuple(array.shape) != needed:
+                    array = _arrays.beside(rays, each, given[each], stream)
+                    if array is None or tuple(array.shape) != needed:
                         raise ValueError("{}: whole numbers of the shape {} are needed, where the {} are, or one".format(
                             each, needed, name))
                     filters[each] = arrays.packed_int32(array, each)
