@@ -6,6 +6,7 @@
 #include "renderer/backend.h"
 #include "renderer/rays/automatic_loop.h"
 #include "renderer/rays/closest_points.h"
+#include "renderer/rays/winding_numbers.h"
 #include "renderer/tracer/tracer.h"
 
 #include <tbb/blocked_range.h>
@@ -26,8 +27,9 @@ struct State {
   std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
   bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
   mutable std::mutex mutex;                // of what follows
-  mutable std::shared_ptr<const masu::StructureFile>
-      hierarchy; // for closest points, built by their first query
+  // For closest points and winding numbers, built by their first query.
+  mutable std::shared_ptr<const masu::StructureFile> hierarchy;
+  mutable std::shared_ptr<const masu::WindingClusters> clusters;
 
   // gpus: none for the CPU.
   State(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::StructureFile> grid_,
@@ -231,19 +233,50 @@ std::shared_ptr<const State> moved(const State& before, const Vertices& vertices
   return std::make_shared<const State>(std::move(scene), std::move(grid), before.tracer.gpus());
 }
 
-// None for brute force. Of threads that ask at once each builds one, and the first is kept: a thread that
-// waited for another might be what that one waits for.
+// What a tracer keeps, made by its first query. Of threads that ask at once each makes it, and the first is
+// kept: a thread that waited for another might be what that one waits for.
+template <class T, class Make>
+std::shared_ptr<const T> kept(const State& tracer, std::shared_ptr<const T>& kept_there,
+                              const Make& make_it) {
+  {
+    const std::lock_guard lock(tracer.mutex);
+    if (kept_there) return kept_there;
+  }
+  auto made = std::make_shared<const T>(make_it());
+  const std::lock_guard lock(tracer.mutex);
+  if (!kept_there) kept_there = std::move(made);
+  return kept_there;
+}
+
+// None for brute force.
 std::shared_ptr<const StructureFile> hierarchy_of(const State& tracer,
                                                   const std::function<void(double)>& progress) {
   if (!tracer.grid || tracer.grid->is_hierarchy()) return tracer.grid;
-  {
-    const std::lock_guard lock(tracer.mutex);
-    if (tracer.hierarchy) return tracer.hierarchy;
-  }
-  auto built = std::make_shared<const StructureFile>(fast_hierarchy(*tracer.scene, MASU_CPU, progress));
-  const std::lock_guard lock(tracer.mutex);
-  if (!tracer.hierarchy) tracer.hierarchy = std::move(built);
-  return tracer.hierarchy;
+  return kept(tracer, tracer.hierarchy, [&] { return fast_hierarchy(*tracer.scene, MASU_CPU, progress); });
+}
+
+// Calls act(the list, the state, its hierarchy, progress) for places in host memory.
+template <class Act>
+void search_places(const masu_tracer& tracer, const void* places, std::size_t count, const masu_query& query,
+                   const RayResults& results, const char* what, const Act& act) {
+  const auto format = choice<int>(query.format, 4, "format");
+  if (format != MASU_RAYS_FLOAT32 && format != MASU_RAYS_FLOAT64)
+    fail("format", "is of rays: places are MASU_RAYS_FLOAT32 or MASU_RAYS_FLOAT64");
+  if (query.faces != MASU_FACES_BOTH) fail("faces", "are both looked for");
+  if (count == 0) return;
+  require(places, "places");
+  RayList list(places, count, {3, format == MASU_RAYS_FLOAT64, query.relative != 0});
+  list.filters = filters_of(query);
+  if (device_of(places) != host_memory) fail("places", "must lie in host memory");
+  if (reinterpret_cast<std::uintptr_t>(places) % (list.format.bytes_per_ray() / 3) != 0)
+    fail("places", "aren't aligned as their numbers must be");
+  check_arrays(host_memory, results, list.filters);
+  const auto state = tracer.state();
+  if (state->is_on_gpu_alone) fail("tracer", fmt::format("was moved on a GPU: {} in host memory", what));
+  if (query.relative == 0) list.format.origin = state->scene->origin();
+  GoOn go_on(query.go_on, query.user);
+  const auto progress = go_on.progress();
+  on_threads_up_to(query.threads, [&] { act(list, *state, hierarchy_of(*state, progress).get(), progress); });
 }
 
 } // namespace
@@ -363,26 +396,33 @@ masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t c
     const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
     RayResults results = hits != nullptr ? results_of(hits) : RayResults{};
     if (points != nullptr) results.position = reinterpret_cast<double(*)[3]>(points);
-    const auto format = choice<int>(wanted.format, 4, "format");
-    if (format != MASU_RAYS_FLOAT32 && format != MASU_RAYS_FLOAT64)
-      fail("format", "is of rays: places are MASU_RAYS_FLOAT32 or MASU_RAYS_FLOAT64");
-    if (wanted.faces != MASU_FACES_BOTH) fail("faces", "are both looked for");
     if (results.front != nullptr) fail("front", "isn't found for places: take masu_inside()");
-    if (count == 0) return;
-    require(places, "places");
-    const PlaceList list{places, count, format == MASU_RAYS_FLOAT64, wanted.relative != 0,
-                         filters_of(wanted)};
-    if (device_of(places) != host_memory) fail("places", "must lie in host memory");
-    if (reinterpret_cast<std::uintptr_t>(places) % (list.is_float64 ? sizeof(double) : sizeof(float)) != 0)
-      fail("places", "aren't aligned as their numbers must be");
-    check_arrays(host_memory, results, list.filters);
-    const auto state = tracer->state();
-    if (state->is_on_gpu_alone) fail("tracer", "was moved on a GPU: closest points are found in host memory");
-    GoOn go_on(wanted.go_on, wanted.user);
-    const auto progress = go_on.progress();
-    on_threads_up_to(wanted.threads, [&] {
-      closest_points(*state->scene, hierarchy_of(*state, progress).get(), list, results, progress);
-    });
+    search_places(
+        *tracer, places, count, wanted, results, "closest points are found",
+        [&](const RayList& list, const State& state, const StructureFile* hierarchy, const auto& progress) {
+          closest_points(*state.scene, hierarchy, list, results, progress);
+        });
+  });
+}
+
+masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t count, const masu_query* query,
+                         double bound, double* winding, uint8_t* inside) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
+    if (filters_of(wanted).any())
+      fail("masu_query", "has exclude or masks: winding numbers are of all triangles");
+    require_range(bound, 0, 1, "bound");
+    RayResults results;
+    results.t64 = winding;
+    results.inside = inside;
+    search_places(
+        *tracer, places, count, wanted, results, "winding numbers are computed",
+        [&](const RayList& list, const State& state, const StructureFile* hierarchy, const auto& progress) {
+          const auto clusters =
+              kept(state, state.clusters, [&] { return winding_clusters(*state.scene, hierarchy); });
+          winding_numbers(*state.scene, hierarchy, *clusters, list, bound, winding, inside, progress);
+        });
   });
 }
 

@@ -480,6 +480,19 @@ MASU_API masu_status masu_count_hits(const masu_tracer* tracer, const void* rays
 MASU_API masu_status masu_inside(const masu_tracer* tracer, const void* rays, size_t count,
                                  const masu_query* query, uint8_t* inside);
 
+/* The generalised winding number of the triangles about each place, as masu_closest() has them: 1 in a closed
+ * mesh whose fronts are outside, 0 outside; where surfaces are open, overlap or are turned, the sum of what the
+ * place sees of them, signed solid angles over 4 pi. winding: within `bound`, from 0 to 1, but for roundings;
+ * inside: 1 where the number is at least 1/2, else 0, which is exact unless the number is nearer to 1/2 than
+ * `bound`. Either may be NULL; inside alone takes less time. Of a place that masu_closest() finds nothing for
+ * the number is NaN. On the surface it may be that of either side.
+ *
+ * On the CPU, wherever the tracer is, and the same with any number of threads; with another hierarchy numbers
+ * differ within the bound. MASU_ERROR_USAGE where the scene has spheres or cones, with exclude and masks, and
+ * by a tracer that was moved on a GPU. */
+MASU_API masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t count,
+                                  const masu_query* query, double bound, double* winding, uint8_t* inside);
+
 /* The point of the surfaces that is closest to each place. places: 3 numbers each in host memory, floats
  * where query->format is MASU_RAYS_FLOAT32, doubles where it is MASU_RAYS_FLOAT64. points: 3 numbers of each
  * closest point, in the places' coordinates; may be NULL. Of `hits`, which may be NULL, t and t64 are the

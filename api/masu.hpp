@@ -355,6 +355,19 @@ public:
     return found;
   }
 
+  // The winding numbers about places, in host memory (masu_winding()).
+  template <std::ranges::contiguous_range Places>
+  std::vector<double> winding(const Places& places, double bound = 1e-3,
+                              const QueryOptions& options = {}) const {
+    using Number = std::ranges::range_value_t<std::ranges::range_value_t<Places>>;
+    const masu_query query =
+        query_of<std::conditional_t<std::same_as<Number, float>, masu_ray, masu_ray64>>(options);
+    std::vector<double> found(std::ranges::size(places));
+    check(masu_winding(handle_.get(), std::ranges::data(places), found.size(), &query, bound, found.data(),
+                       nullptr));
+    return found;
+  }
+
   // Moves the triangles of its scene, and refits its hierarchy (masu_tracer_update).
   void update(const masu_vertices& vertices) { check(masu_tracer_update(handle_.get(), &vertices)); }
   template <Vertices V>

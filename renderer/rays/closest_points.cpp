@@ -3,21 +3,13 @@
 #include "libgrid/trace/closest.h"
 #include "libscene/base/error.h"
 #include "renderer/rays/list_progress.h"
+#include "renderer/rays/place_list.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace masu {
 namespace {
-
-Vec3d place_of(const PlaceList& places, std::size_t i) {
-  const auto place = [i](const auto* numbers) {
-    return Vec3d{static_cast<double>(numbers[3 * i]), static_cast<double>(numbers[3 * i + 1]),
-                 static_cast<double>(numbers[3 * i + 2])};
-  };
-  return places.is_float64 ? place(static_cast<const double*>(places.places))
-                           : place(static_cast<const float*>(places.places));
-}
 
 template <class Stored>
 void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const Vec3d& origin,
@@ -47,19 +39,18 @@ void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const 
 
 } // namespace
 
-void closest_points(const SceneFile& scene, const StructureFile* hierarchy, const PlaceList& places,
+void closest_points(const SceneFile& scene, const StructureFile* hierarchy, const RayList& places,
                     const RayResults& results, const std::function<void(double)>& progress) {
   check_filters(places.filters, scene.counts().objects);
   if (const Boxd bounds = scene.bounds(); !is_empty(bounds) && largest_magnitude(bounds) > max_closest)
     throw Error(ErrorCode::usage, "scene", "has coordinates beyond 1e37, too large for distances");
-  const Vec3d origin = places.is_relative ? Vec3d{0, 0, 0} : scene.origin();
   ListProgress list_progress(progress, places.count, 16, hierarchy == nullptr ? scene.primitive_count() : 0);
   const auto search = [&](const auto& view, const auto& structure) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.count, 256), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         const HitFilter filter = places.filters.of(i);
-        write(view, closest_primitive(view, structure, place_of(places, i) - origin, filter), origin, results,
-              i);
+        write(view, closest_primitive(view, structure, place_at(places.rays, places.format, i), filter),
+              places.format.origin, results, i);
         list_progress.done(i);
       }
     });

@@ -284,6 +284,37 @@ class Queries(WithFolder):
         self.assertEqual(closest["points"].dtype, np.float32)
         self.assertRaises(ValueError, scene.compute_distance, np.zeros((2, 6)))
 
+    def test_winding_numbers_tell_inside_where_parity_does_not(self):
+        corners, faces = cube()
+        points = self.random.uniform(-2, 2, (20, 100, 3))
+        inside = np.abs(points).max(-1) < 1
+        with masu.Tracer(masu.Scene(corners, faces)) as tracer:
+            np.testing.assert_allclose(tracer.winding_numbers(points), inside, atol=1e-3)
+            np.testing.assert_array_equal(tracer.inside(points, rule="winding"), inside)
+            np.testing.assert_array_equal(tracer.inside(points), inside)
+            self.assertRaises(ValueError, tracer.inside, points, rule="both")
+            self.assertRaises(ValueError, tracer.inside, np.zeros((5, 6)), rule="winding")
+            self.assert_refused(masu.Status.USAGE, "masks", tracer.inside, points, rule="winding", object_masks=[1])
+            self.assert_refused(masu.Status.USAGE, "bound", tracer.winding_numbers, points, bound=2)
+        # Two that overlap, and one without a lid and with a face turned, finely divided.
+        overlapping = [(corners, faces), (corners * np.float32(0.5) + np.float32([1, 0, 0]), faces)]
+        in_either = inside | (np.abs(points - [1, 0, 0]).max(-1) < 0.5)
+        with masu.Tracer(masu.Scene(meshes=overlapping)) as tracer:
+            np.testing.assert_array_equal(tracer.inside(points, rule="winding"), in_either)
+            self.assertTrue((tracer.inside(points) == 2).any())
+        turned = faces.copy()
+        turned[-1] = turned[-1, ::-1]
+        deep = points[np.abs(points + [0.6, 0, 0]).max(-1) < 0.3]
+        for structure in ("bvh", "grid"):
+            scene = masu.Scene(corners, turned[2:])
+            with masu.Tracer(scene, scene.build(structure=structure)) as tracer:
+                numbers = tracer.winding_numbers(points, bound=0.25)
+                np.testing.assert_allclose(numbers, tracer.winding_numbers(points, bound=0), atol=0.25)
+                same_bits(self, {"": numbers}, {"": tracer.winding_numbers(points, bound=0.25, threads=1)})
+                np.testing.assert_array_equal(tracer.inside(deep, rule="winding"), tracer.winding_numbers(deep, bound=0) >= 0.5)
+        with masu.Tracer(masu.Scene(spheres=[[0, 0, 0, 1]])) as tracer:
+            self.assert_refused(masu.Status.USAGE, "spheres", tracer.winding_numbers, points)
+
     def test_results_depend_neither_on_the_grid_nor_on_coherence(self):
         self.scene()
         rays = random_rays(self.random, 2000)
@@ -880,6 +911,23 @@ class OtherNames(WithFolder):
         self.assertRaises(ValueError, scene.add_triangles, meshes[0][0], meshes[0][1] + 1)
         self.assertRaises(TypeError, scene.add_triangles, meshes[0][0])
 
+    def test_occupancy_is_the_majority_of_an_odd_number_of_rays(self):
+        corners, faces = cube()
+        points = self.random.uniform(-2, 2, (1000, 3))
+        inside = np.abs(points).max(-1) < 1
+        closed, with_hole = masu.RaycastingScene(), masu.RaycastingScene()
+        closed.add_triangles(corners, faces)
+        with_hole.add_triangles(corners, np.delete(faces, np.flatnonzero((corners[faces][:, :, 0] == 1).all(1))[0], 0))
+        for samples in (1, 3, 9):
+            np.testing.assert_array_equal(closed.compute_occupancy(points, nsamples=samples), inside)
+            self.assertEqual((closed.compute_signed_distance(points, 0, samples) < 0).tolist(), inside.tolist())
+        wrong = [(with_hole.compute_occupancy(points, nsamples=samples) != inside).sum() for samples in (1, 31)]
+        self.assertGreater(wrong[0], 10)
+        self.assertLess(wrong[1], wrong[0] / 2)
+        for samples in (0, 2, -1):
+            self.assertRaises(ValueError, closed.compute_occupancy, points, nsamples=samples)
+        self.assertRaises(TypeError, closed.compute_occupancy, points, nsamples=1.0)
+
     def test_all_intersections_are_listed_once(self):
         scene = masu.RaycastingScene()
         for count in (40, 70):
@@ -1067,7 +1115,7 @@ class OtherNames(WithFolder):
         for compute in (scene.compute_distance, scene.compute_signed_distance, scene.compute_occupancy):
             np.testing.assert_array_equal(compute(origins, 1), compute(origins))
         for compute in (scene.compute_signed_distance, scene.compute_occupancy):
-            np.testing.assert_array_equal(compute(origins, 0, 3), compute(origins))
+            np.testing.assert_array_equal(compute(origins, 0, 3), compute(origins, nsamples=3))
         self.assertEqual(scene.create_rays_pinhole(np.eye(3), np.eye(4), 5, 4).shape, (4, 5, 6))
         self.assertEqual(scene.create_rays_pinhole(60.0, [0, 0, 1], [0, 0, 0], [0, 1, 0], 5, 4).shape, (4, 5, 6))
 

@@ -184,6 +184,7 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, st
   std::vector<std::uint8_t> occluded(count);
   static_cast<void>(masu_occluded(tracer, list, count, &options, occluded.data()));
   static_cast<void>(masu_inside(tracer, list, count, &options, occluded.data()));
+  static_cast<void>(masu_winding(tracer, list, count, &options, 0.5, t64.data(), occluded.data()));
   if (masu_all_hits(tracer, list, count, &options, limit, &hits, counts.data()) == MASU_OK &&
       masu_count_hits(tracer, list, count, &options, all.data()) == MASU_OK) {
     for (std::size_t i = 0; i < count; ++i)

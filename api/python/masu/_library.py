@@ -226,6 +226,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_count_hits", c_int, *query, c_void_p)
     declare("masu_inside", c_int, *query, c_void_p)
     declare("masu_closest", c_int, *query, POINTER(HitsRecord), c_void_p)
+    declare("masu_winding", c_int, *query, c_double, c_void_p, c_void_p)
     declare("masu_interpolate", c_int, POINTER(ValuesRecord), c_void_p, c_void_p, c_size_t, c_void_p)
     return loaded
 

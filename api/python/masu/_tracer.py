@@ -77,6 +77,18 @@ def _made_again(kind: Any, scene: Scene, grid: Optional[Grid], gpus: Tuple[int, 
     return made
 
 
+def rays_from(points: Any, direction: Iterable[float] = (1, 0, 0), stream: Any = None) -> Any:
+    """A ray (..., 6) from each point (..., 3), of the same library and in the same memory."""
+    arrays, points = _arrays.recognize("points", points, stream)
+    with arrays.queue(points, stream):
+        points = arrays.packed(points, "points")
+        rays = arrays.empty(tuple(points.shape[:-1]) + (6,), "float64" if arrays.is_float64(points) else "float32", points)
+        rays[..., :3] = points
+        for axis, component in enumerate(direction):
+            rays[..., 3 + axis] = component
+    return rays
+
+
 def _gpu_numbers(device: Any) -> Tuple[int, ...]:
     """None for the CPU."""
     if isinstance(device, (list, tuple)):
@@ -272,12 +284,30 @@ class Tracer(Resource):
         """How many hits each ray has, as all_hits() finds them: an array of int32 of the rays' leading shape."""
         return self._query_one(library.masu_count_hits, "int32", locals())
 
-    def inside(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
+    def inside(self, rays: Any, *, rule: str = "parity", precision: str = "auto", stream: Any = None, relative: bool = False,
                threads: int = 0, object_masks: Any = None, ray_masks: Any = None, progress: Progress = None) -> Any:
-        """Whether each ray, in any direction, starts inside the surfaces, whose fronts are outside: an array of uint8 of the
-        rays' leading shape. 1 where one more of its hits is of a back than of a front, 0 where as many are; else 2, and the
-        surfaces aren't closed, or their fronts not outside, or one lies in another."""
+        """Whether each point (..., 3), or the start of each ray, in any direction, is inside the surfaces, whose fronts are
+        outside: an array of uint8 of the leading shape.
+
+        rule "parity": 1 where one more of the ray's hits is of a back than of a front, 0 where as many are; else 2, and the
+        surfaces aren't closed, or their fronts not outside, or one lies in another. From a point the ray is along x.
+        rule "winding", for points in host memory and triangles, which may be open, overlap or be turned: 1 where
+        winding_numbers() are at least 1/2, else 0, which is exact unless they are within 1/1000 of that."""
+        if choice("rule", rule, {"parity": 0, "winding": 1}):
+            return self._query(library.masu_winding, lambda pointers: (1e-3, None, pointers["found"]),
+                               {"found": Field("", "uint8", ())}, {**locals(), "points": rays}, "points", (3,))["found"]
+        if getattr(rays, "shape", ())[-1:] == (3,):
+            rays = rays_from(rays, stream=stream)
         return self._query_one(library.masu_inside, "uint8", locals())
+
+    def winding_numbers(self, points: Any, *, bound: float = 1e-3, relative: bool = False, threads: int = 0,
+                        progress: Progress = None) -> Any:
+        """The generalised winding number of the scene's triangles about each of the points (..., 3) in host memory: an array
+        of float64 of the leading shape. It is 1 in a closed mesh whose fronts are outside, 0 outside; where surfaces are
+        open, overlap or are turned, the sum of what the point sees of them, signed solid angles over 4 pi. Numbers are
+        within `bound`, from 0 to 1, the same with any number of threads, and computed on the CPU in float64."""
+        return self._query(library.masu_winding, lambda pointers: (float(bound), pointers["found"], None),
+                           {"found": Field("", "float64", ())}, locals(), "points", (3,))["found"]
 
     def closest(self, points: Any, *, fields: Union[str, Iterable[str]] = ("distances", "points", "primitive_ids"),
                 relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
@@ -326,7 +356,7 @@ class Tracer(Resource):
         self._opened()
         with arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays, name)
-            objects = (self._objects,) if given["object_masks"] is not None else ()
+            objects = (self._objects,) if given.get("object_masks") is not None else ()
             filters = {}  # kept until the query is queued
             for each, needed in (("exclude", shape[:-1]), ("ray_masks", shape[:-1]), ("object_masks", objects)):
                 if given.get(each) is None:
