@@ -45,11 +45,11 @@ struct SceneSpans {
 SceneSpans<double, SceneTriangle> spans_of(const Scene& scene, const Vec3d& origin);
 // Of a view the coordinates are relative to its origin already.
 template <class Stored>
-SceneSpans<Stored> spans_of(const SceneView<Stored>& view) {
+SceneSpans<Stored> spans_of(const SceneView<Stored>& view, const Lighting<Stored>& lighting) {
   return {{view.triangles, view.triangle_count},
           {view.spheres, view.sphere_count},
           {view.cones, view.cone_count},
-          {view.lights, view.light_count}};
+          {lighting.lights, lighting.light_count}};
 }
 
 // Coordinates must be finite. Takes time for one pass over the scene; if there are small triangles, a second

@@ -92,8 +92,9 @@ MASU_HD inline Arrival<typename M::Real> arrival(const SceneView<Stored>& scene,
 // The light that comes from there along a ray, of which `direction` is that. occluded(ray): whether a shadow
 // ray is.
 template <class Real, class Stored, class Occluded, class Counts>
-MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Arrival<Real>& at,
-                                  const Vec3<Real>& direction, const Occluded& occluded, Counts& counts) {
+MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Lighting<Stored>& lighting,
+                                  const Arrival<Real>& at, const Vec3<Real>& direction,
+                                  const Occluded& occluded, Counts& counts) {
   const auto& [point, side, material] = at;
   const Vec3f diffuse = material.color * material.diffuse;
   // A light may lie on a surface, which doesn't hide it: shadow rays end short of it by the error bound of a
@@ -102,9 +103,9 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Arrival<
   constexpr Real roundings = margin_roundings * RealTraits<Real>::unit_roundoff +
                              16 * static_cast<Real>(RealTraits<Stored>::unit_roundoff);
   const Real short_of_light = roundings * largest_magnitude(cast<Real>(scene.clip));
-  Vec3f light = diffuse * scene.ambient;
-  for (std::uint32_t i = 0; i < scene.light_count; ++i) {
-    const Vec3<Real> position = cast<Real>(scene.lights[i].position);
+  Vec3f light = diffuse * lighting.ambient;
+  for (std::uint32_t i = 0; i < lighting.light_count; ++i) {
+    const Vec3<Real> position = cast<Real>(lighting.lights[i].position);
     const Vec3<Real> to_light = position - point.position;
     if (!(dot(side.shading, to_light) > 0)) continue;
     const Vec3<Real> origin = leaving(point, to_light);
@@ -125,7 +126,7 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Arrival<
       const float strength = material.specular * std::pow(highlight, material.shine);
       reflected = reflected + Vec3f{strength, strength, strength};
     }
-    light = light + cast<float>(scene.lights[i].intensity) * reflected;
+    light = light + cast<float>(lighting.lights[i].intensity) * reflected;
   }
   return light;
 }
@@ -172,10 +173,10 @@ MASU_HD inline void spawn(const RenderRules& rules, const Arrival<Real>& at, con
 // there, and what is spawned. Nothing is shaded for a depth of 0. Sets `first_hit` where it is the camera's
 // ray. False at the end of the tree.
 template <class TestRay, class Stored, class Arrive, class Occluded, class Counts>
-MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& rules,
-                           const NearHit<TestRay>& hit, RayTree<typename TestRay::Real>& tree,
-                           HitRecord& first_hit, const Arrive& arrive, const Occluded& occluded,
-                           Counts& counts) {
+MASU_HD inline bool follow(const SceneView<Stored>& scene, const Lighting<Stored>& lighting,
+                           const RenderRules& rules, const NearHit<TestRay>& hit,
+                           RayTree<typename TestRay::Real>& tree, HitRecord& first_hit, const Arrive& arrive,
+                           const Occluded& occluded, Counts& counts) {
   using Real = typename TestRay::Real;
   const PendingRay<Real>& ray = tree.ray;
   const bool met = hit.hit.primitive != no_primitive;
@@ -188,10 +189,10 @@ MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& ru
   }
   if (met) {
     const Arrival<Real>& at = arrive();
-    tree.light = tree.light + direct_light(scene, at, ray.direction, occluded, counts) * ray.weight;
+    tree.light = tree.light + direct_light(scene, lighting, at, ray.direction, occluded, counts) * ray.weight;
     spawn(rules, at, ray, tree.pending, counts);
   } else {
-    tree.light = tree.light + scene.background * ray.weight;
+    tree.light = tree.light + lighting.background * ray.weight;
   }
   if (tree.pending.size == 0) return false;
   tree.ray = tree.pending.pop();
@@ -200,9 +201,9 @@ MASU_HD inline bool follow(const SceneView<Stored>& scene, const RenderRules& ru
 
 // The light that comes back along a camera ray, and what it hit. M: a Method.
 template <class M, class Stored, class Structure, class Counts>
-MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Structure& structure,
-                              const RenderRules& rules, const Ray<typename M::Real>& first,
-                              HitRecord& first_hit, Counts& counts) {
+MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Lighting<Stored>& lighting,
+                              const Structure& structure, const RenderRules& rules,
+                              const Ray<typename M::Real>& first, HitRecord& first_hit, Counts& counts) {
   using Real = typename M::Real;
   RayTree<Real> tree(first);
   for (;;) {
@@ -210,7 +211,7 @@ MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Structure& s
         nearest_hit_near<M>(scene, structure, unbounded_ray(tree.ray.origin, tree.ray.direction), counts);
     const auto occluded = [&](const Ray<Real>& ray) { return is_occluded<M>(scene, structure, ray, counts); };
     const auto arrive = [&] { return arrival<M>(scene, rules, hit, tree.ray.direction); };
-    if (!follow(scene, rules, hit, tree, first_hit, arrive, occluded, counts)) return tree.light;
+    if (!follow(scene, lighting, rules, hit, tree, first_hit, arrive, occluded, counts)) return tree.light;
   }
 }
 

@@ -73,8 +73,8 @@ struct HierarchyView {
   const PrimitiveIndex* references;
 };
 
-// The same on a GPU: in the references' place copies of their primitives. A box's lie side by side, and
-// nothing is read to find them.
+// The same on a GPU: in the references' place their primitives, triangles nowhere else. A box's lie side by
+// side, and nothing is read to find them.
 template <class Real, class Stored>
 struct LeafHierarchyView {
   const HierarchyNode* nodes;

@@ -9,13 +9,14 @@ namespace masu {
 
 enum class StructureForm { none, uniform, merged, hierarchy };
 
-template <class Real>
+// Hierarchy: HierarchyView, or on a GPU LeafHierarchyView.
+template <class Real, class Hierarchy = HierarchyView<Real>>
 struct AnyStructure {
   StructureForm form = StructureForm::none;
   StopRule stop = StopRule::proven; // with a grid of cells; anything else is proven
   GridView<Real> uniform{};
   MergedGridView<Real> merged{};
-  HierarchyView<Real> hierarchy{};
+  Hierarchy hierarchy{};
 };
 
 inline StructureForm form_of(const StructureRecords& structure) {
@@ -34,16 +35,16 @@ AnyStructure<Real> any_structure(const StructureRecords& structure) {
 
 template <class View>
 inline constexpr bool is_any_structure = false;
-template <class Real>
-inline constexpr bool is_any_structure<AnyStructure<Real>> = true;
+template <class Real, class Hierarchy>
+inline constexpr bool is_any_structure<AnyStructure<Real, Hierarchy>> = true;
 
-template <class Real>
-MASU_HD inline StopRule stop_rule(const AnyStructure<Real>& any) {
+template <class Real, class Hierarchy>
+MASU_HD inline StopRule stop_rule(const AnyStructure<Real, Hierarchy>& any) {
   return any.form == StructureForm::hierarchy ? StopRule::proven : any.stop;
 }
 
-template <class Real, class Visitor>
-MASU_HD inline void visit(const AnyStructure<Real>& any, const ClippedRay<Real>& near,
+template <class Real, class Hierarchy, class Visitor>
+MASU_HD inline void visit(const AnyStructure<Real, Hierarchy>& any, const ClippedRay<Real>& near,
                           std::uint32_t primitives, Visitor& visitor) {
   switch (any.form) {
   case StructureForm::none:

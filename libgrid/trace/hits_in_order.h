@@ -119,15 +119,23 @@ struct NextHits {
   HitFilter filter;
   Room room;
 
-  MASU_HD void primitive(PrimitiveIndex number) {
-    if (!filter.admits(scene, number)) return;
-    each_hit<M::kinds>(scene, ray, number, filter.edges, [&](Real t, bool front) {
-      if (t < t_max && filter.admits(front)) room.keep({t, number << 1 | (front ? 0U : 1U)});
-    });
+  MASU_HD void primitive(PrimitiveIndex number) { keep(number, SceneRecord<Stored>{scene, number}); }
+  MASU_HD void leaf(const Leaf<Stored>* address) {
+    const Leaf<Stored> leaf = fetched(address);
+    keep(leaf.primitive(), leaf);
   }
   MASU_HD Real farthest() const { return room.farthest(t_max); }
   MASU_HD bool done(Real exit) const { return farthest() <= exit; }
   MASU_HD bool ends() const { return false; }
+
+private:
+  template <class From>
+  MASU_HD void keep(PrimitiveIndex number, const From& from) {
+    if (!filter.admits(scene, number)) return;
+    each_hit<M::kinds>(scene, ray, number, from, filter.edges, [&](Real t, bool front) {
+      if (t < t_max && filter.admits(front)) room.keep({t, number << 1 | (front ? 0U : 1U)});
+    });
+  }
 };
 
 // Calls act(i, near, front) for hit i, from 0 to below `limit`, at t_min < t < t_max; `near` as

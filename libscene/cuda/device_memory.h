@@ -63,6 +63,11 @@ public:
   MemoryPool(const MemoryPool&) = delete;
   MemoryPool& operator=(const MemoryPool&) = delete;
   operator cudaMemPool_t() const { return pool_; }
+  // Gives what is free, once the device is done with it, back to the device.
+  void trim() const {
+    check(cudaDeviceSynchronize());
+    check(cudaMemPoolTrimTo(pool_, 0));
+  }
 
 private:
   int device_ = 0;

@@ -17,16 +17,44 @@ constexpr std::size_t min_pinned_bytes = 8 * part_bytes; // less isn't worth all
 
 using Fill = SectionReader::Fill;
 
+// A part of a copy to the device.
+struct Upload {
+  void* to;
+  std::uint64_t offset; // in the copy
+  std::size_t bytes;
+  const Transfer::Place& place; // null: to `to`
+};
+
+// What lies on the device until it is placed.
+class PlacedPart {
+public:
+  // Copies to where the upload goes by copy(address).
+  template <class Copy>
+  void upload(const Upload& part, const StreamMemory& memory, const Copy& copy) {
+    if (part.place == nullptr) return copy(part.to);
+    if (room_.size() == 0) room_ = DeviceArray<std::uint8_t>(part_bytes, memory);
+    copy(room_.data());
+    part.place(room_.data(), part.offset, part.bytes, memory.stream);
+  }
+
+private:
+  DeviceArray<std::uint8_t> room_;
+};
+
 // The staging buffers of one thread. Uploads alternate: one buffer is transferred while the other is filled.
 class StagingBuffers {
 public:
-  void upload(void* device, std::size_t bytes, const Fill& fill) {
+  explicit StagingBuffers(cudaMemPool_t pool) : pool_(pool) {}
+
+  void upload(const Upload& part, const Fill& fill) {
     Staging& staging = stagings_[next_];
     next_ = 1 - next_;
     check(cudaStreamSynchronize(staging.stream));
-    fill(staging.buffer.bytes().first(bytes));
-    check(cudaMemcpyAsync(device, staging.buffer.bytes().data(), bytes, cudaMemcpyHostToDevice,
-                          staging.stream));
+    fill(staging.buffer.bytes().first(part.bytes));
+    staging.placed.upload(part, {staging.stream, pool_}, [&](void* to) {
+      check(cudaMemcpyAsync(to, staging.buffer.bytes().data(), part.bytes, cudaMemcpyHostToDevice,
+                            staging.stream));
+    });
   }
   void download(void* host, const void* device, std::size_t bytes) {
     Staging& staging = stagings_[0];
@@ -40,20 +68,26 @@ private:
   struct Staging {
     PinnedBuffer buffer{part_bytes};
     Stream stream;
+    PlacedPart placed;
     // After an error the arrays are given back next: nothing may still be copied to them.
     ~Staging() { static_cast<void>(cudaStreamSynchronize(stream)); }
   };
   Staging stagings_[2];
+  cudaMemPool_t pool_;
   int next_ = 0;
 };
 
 // Pageable memory, for little.
 class PlainBuffer {
 public:
-  void upload(void* device, std::size_t bytes, const Fill& fill) {
-    buffer_.resize(bytes);
+  explicit PlainBuffer(cudaMemPool_t pool) : pool_(pool) {}
+
+  void upload(const Upload& part, const Fill& fill) {
+    buffer_.resize(part.bytes);
     fill(buffer_);
-    check(cudaMemcpy(device, buffer_.data(), bytes, cudaMemcpyHostToDevice));
+    placed_.upload(part, {nullptr, pool_}, [&](void* to) {
+      check(cudaMemcpy(to, buffer_.data(), part.bytes, cudaMemcpyHostToDevice));
+    });
   }
   void download(void* host, const void* device, std::size_t bytes) {
     check(cudaMemcpy(host, device, bytes, cudaMemcpyDeviceToHost));
@@ -61,6 +95,8 @@ public:
 
 private:
   std::vector<std::uint8_t> buffer_;
+  PlacedPart placed_;
+  cudaMemPool_t pool_;
 };
 
 std::uint8_t* moved_by(const void* pointer, std::size_t offset) {
@@ -90,7 +126,7 @@ void Transfer::run() {
     if (copy.section != nullptr) {
       copy.section->read_piece(piece.i, part_bytes,
                                [&](std::uint64_t offset, std::size_t bytes, const Fill& fill) {
-                                 buffers.upload(moved_by(copy.to, offset), bytes, fill);
+                                 buffers.upload({moved_by(copy.to, offset), offset, bytes, copy.place}, fill);
                                });
       return;
     }
@@ -100,19 +136,19 @@ void Transfer::run() {
       if (copy.direction == cudaMemcpyDeviceToHost)
         buffers.download(moved_by(copy.to, offset), moved_by(copy.from, offset), bytes);
       else
-        buffers.upload(moved_by(copy.to, offset), bytes, [&](std::span<std::uint8_t> to) {
-          std::memcpy(to.data(), moved_by(copy.from, offset), bytes);
-        });
+        buffers.upload(
+            {moved_by(copy.to, offset), offset, bytes, copy.place},
+            [&](std::span<std::uint8_t> to) { std::memcpy(to.data(), moved_by(copy.from, offset), bytes); });
     }
   };
   const DeviceScope device(device_);
   check(cudaDeviceSynchronize());
   if (total < min_pinned_bytes) {
-    PlainBuffer buffer;
+    PlainBuffer buffer(pool_);
     for (const Piece& piece : pieces)
       make(piece, buffer);
   } else {
-    tbb::enumerable_thread_specific<StagingBuffers> buffers;
+    tbb::enumerable_thread_specific<StagingBuffers> buffers([&] { return StagingBuffers(pool_); });
     const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     tbb::task_arena arena(std::min(copy_threads, static_cast<int>(allowed)));
     arena.execute([&] {

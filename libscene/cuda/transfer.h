@@ -4,7 +4,9 @@
 #include "libscene/cuda/device_memory.h"
 #include "libscene/file/container.h"
 
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace masu {
@@ -18,6 +20,17 @@ public:
   explicit Transfer(cudaMemPool_t pool = nullptr);
   void to_device(void* device, const void* host, std::size_t bytes) {
     if (bytes > 0) copies_.push_back({device, host, bytes, cudaMemcpyHostToDevice, nullptr});
+  }
+  // Part by part, each of which lies on the device until `place` has queued there what takes it to where it
+  // belongs.
+  using Place = std::function<void(const void* part, std::uint64_t offset, std::size_t bytes, cudaStream_t)>;
+  void to_device(Place place, const void* host, std::size_t bytes) {
+    if (bytes > 0)
+      copies_.push_back({nullptr, host, bytes, cudaMemcpyHostToDevice, nullptr, std::move(place)});
+  }
+  void to_device(Place place, SectionReader section) {
+    to_device(nullptr, std::move(section));
+    copies_.back().place = std::move(place);
   }
   void to_host(void* host, const void* device, std::size_t bytes) {
     if (bytes > 0) copies_.push_back({host, device, bytes, cudaMemcpyDeviceToHost, nullptr});
@@ -44,6 +57,7 @@ private:
     std::size_t bytes;
     cudaMemcpyKind direction;
     std::shared_ptr<SectionReader> section;
+    Place place{}; // null: to `to`
   };
 
   std::vector<Copy> copies_;

@@ -23,12 +23,12 @@ MASU_HD bool is_finite(const Light<T>& l) {
 // What is wrong with the records where the view points to, which the checker sees; null: nothing. Every
 // coordinate must lie within `bounds`, and every index must be valid.
 template <class Checker, class Stored>
-const char* fault_of(const Checker& checker, const SceneView<Stored>& view, const Boxd& bounds,
-                     const SceneCounts& counts) {
+const char* fault_of(const Checker& checker, const SceneView<Stored>& view, const Lighting<Stored>& lighting,
+                     const Boxd& bounds, const SceneCounts& counts) {
   // The bounds were computed from the stored numbers: the cast is exact.
   const Box<Stored> corners = cast<Stored>(bounds);
   const bool coordinates_good = checker.all(view.triangle_count, [=] MASU_PASS(std::uint64_t i) {
-    const Triangle<Stored>& t = view.triangles[i];
+    const Triangle<Stored>& t = *view.triangle(static_cast<PrimitiveIndex>(i));
     return contains(corners, t.a) && contains(corners, t.b) && contains(corners, t.c);
   }) && checker.all(counts.normals, [=] MASU_PASS(std::uint64_t i) {
     return is_finite(view.normals[i]);
@@ -38,11 +38,14 @@ const char* fault_of(const Checker& checker, const SceneView<Stored>& view, cons
   }) && checker.all(view.cone_count, [=] MASU_PASS(std::uint64_t i) {
     const Boxd box = masu::bounds(view.cones[i]);
     return is_finite(view.cones[i]) && contains(bounds, box.min) && contains(bounds, box.max);
-  }) && checker.all(view.light_count, [=] MASU_PASS(std::uint64_t i) { return is_finite(view.lights[i]); });
+  }) && checker.all(lighting.light_count, [=] MASU_PASS(std::uint64_t i) {
+    return is_finite(lighting.lights[i]);
+  });
   if (!coordinates_good) return "a coordinate isn't within the scene's bounds";
   const bool indices_good = checker.all(view.triangle_count, [=] MASU_PASS(std::uint64_t i) {
-    const Triangle<Stored>& t = view.triangles[i];
-    return t.material < counts.materials && t.object < counts.objects &&
+    const Triangle<Stored>& t = *view.triangle(static_cast<PrimitiveIndex>(i));
+    return t.material < counts.materials &&
+           (view.places != nullptr ? view.places[i].object : t.object) < counts.objects &&
            (t.normals == no_normals || t.normals < counts.normals);
   }) && checker.all(view.sphere_count, [=] MASU_PASS(std::uint64_t i) {
     const Surface& s = view.sphere_surfaces[i];

@@ -261,9 +261,10 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
   check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
             counted.cones() < limit,
         "its counts of objects are too large");
-  with_view([&](const auto& view) {
-    const char* const fault =
-        residence() != Residence::file ? fault_of(HostChecker{}, view, bounds(), counts()) : nullptr;
+  with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    const Lighting<Stored> lit = lighting<Stored>();
+    if (residence() == Residence::file) return;
+    const char* const fault = fault_of(HostChecker{}, view, lit, bounds(), counts());
     check(fault == nullptr, fault);
   });
   container_.set_validated();
@@ -338,19 +339,27 @@ SceneView<Stored> SceneFile::view() const {
   set(SceneSection::cone_surfaces, view.cone_surfaces, cone_surface_count);
   set(SceneSection::faces, view.faces, face_count);
   set(SceneSection::materials, view.materials, material_count);
-  set(SceneSection::lights, view.lights, view.light_count);
   const std::uint64_t primitives = std::uint64_t{view.triangle_count} + view.sphere_count + view.cone_count;
   if (!is_consistent || primitives >= no_primitive || view.sphere_count != sphere_surface_count ||
       view.cone_count != cone_surface_count || (face_count > 0 && face_count != view.triangle_count))
     throw_damaged(path(), "its sections have inconsistent sizes");
-  const fb::Color& background = *table_->background();
   view.clip = cast<Stored>(padded_bounds<Stored>(bounds()));
-  view.background = {background.r(), background.g(), background.b()};
-  view.ambient = table_->ambient();
   return view;
+}
+template <class Stored>
+Lighting<Stored> SceneFile::lighting() const {
+  const std::uint64_t lights = count<Light<Stored>>(fb::SceneSection::lights);
+  if (lights >= no_primitive) throw_damaged(path(), "its sections have inconsistent sizes");
+  const fb::Color& background = *table_->background();
+  return {records<Light<Stored>>(fb::SceneSection::lights).data(),
+          static_cast<std::uint32_t>(lights),
+          {background.r(), background.g(), background.b()},
+          table_->ambient()};
 }
 
 template SceneView<float> SceneFile::view<float>() const;
 template SceneView<double> SceneFile::view<double>() const;
+template Lighting<float> SceneFile::lighting<float>() const;
+template Lighting<double> SceneFile::lighting<double>() const;
 
 } // namespace masu

@@ -88,6 +88,8 @@ public:
   // (is_float64).
   template <class Stored>
   SceneView<Stored> view() const;
+  template <class Stored>
+  Lighting<Stored> lighting() const;
   // What act(the view of the file's own) returns.
   template <class Act>
   auto with_view(const Act& act) const {

@@ -81,13 +81,13 @@ MASU_HD inline bool crosses(const WatertightRay<Real>& ray, const Triangle<Store
 // met, of a sphere or a cone the outside; where only the inside is visible that is the front. Of a triangle
 // by the half-open rule it is the side that the moved point sees, whose sum over a closed mesh is right;
 // for a sliver that may not be the side that is met.
-template <unsigned kinds, class TestRay, class Stored, class Act>
+template <unsigned kinds, class TestRay, class Stored, class From, class Act>
 MASU_HD inline void each_hit(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
-                             EdgeRule rule, const Act& act) {
+                             const From& from, EdgeRule rule, const Act& act) {
   using Real = typename TestRay::Real;
   if (primitive < scene.triangle_count) {
     const WatertightRay<Real> watertight = prepare_watertight(ray);
-    const Triangle<Stored> triangle = fetched(scene.triangles + primitive);
+    const Triangle<Stored> triangle = from.triangle();
     Real t = 0;
     bool front = false, met = false;
     if (rule == EdgeRule::half_open) {
@@ -101,7 +101,7 @@ MASU_HD inline void each_hit(const SceneView<Stored>& scene, const TestRay& ray,
   }
   const std::uint32_t sphere = primitive - scene.triangle_count;
   if (sphere < scene.sphere_count) {
-    const Sphere<Stored> record = fetched(scene.spheres + sphere);
+    const Sphere<Stored> record = from.sphere();
     Real enter, leave;
     if (!intersect_line(ray, record, enter, leave)) return;
     const bool inside_out = record.radius < 0;
@@ -109,11 +109,10 @@ MASU_HD inline void each_hit(const SceneView<Stored>& scene, const TestRay& ray,
     if (leave > 0) act(leave, inside_out);
     return;
   }
-  each_hit<(kinds & with_tapers) != 0>(ray, fetched(scene.cones + (sphere - scene.sphere_count)),
-                                       [&](Real t, bool front) {
-                                         if (t > 0) act(t, front);
-                                         return false;
-                                       });
+  each_hit<(kinds & with_tapers) != 0>(ray, from.cone(), [&](Real t, bool front) {
+    if (t > 0) act(t, front);
+    return false;
+  });
 }
 
 } // namespace masu

@@ -22,7 +22,7 @@ struct NoTestCounts {
   MASU_HD void cone_test() {}
 };
 
-// Where a test takes a primitive's record from: the scene's arrays.
+// Where a test takes a primitive's record from: the scene's arrays, where triangles are in their own order.
 template <class Stored>
 struct SceneRecord {
   const SceneView<Stored>& scene;
@@ -37,7 +37,7 @@ struct SceneRecord {
   }
 };
 
-// A copy of any primitive in the record of a triangle, with its index as its object.
+// A copy of any primitive, in whatever order, in the record of a triangle, with its index as its object.
 template <class Stored>
 struct Leaf {
   Triangle<Stored> record;
@@ -52,7 +52,7 @@ MASU_HD inline Leaf<Stored> leaf_of(const SceneView<Stored>& scene, PrimitiveInd
   const SceneRecord<Stored> from{scene, primitive};
   Triangle<Stored> record{};
   if (primitive < scene.triangle_count) {
-    record = from.triangle();
+    record = fetched(scene.triangle(primitive));
   } else if (primitive - scene.triangle_count < scene.sphere_count) {
     const Sphere<Stored> sphere = from.sphere();
     record.a = sphere.center;
@@ -102,8 +102,10 @@ MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray
 template <class Stored>
 MASU_HD inline Surface surface_of(const SceneView<Stored>& scene, PrimitiveIndex primitive) {
   if (primitive < scene.triangle_count) {
-    const Triangle<Stored>& t = scene.triangles[primitive];
-    return {static_cast<std::uint32_t>(t.object), static_cast<std::uint32_t>(t.material)};
+    const Triangle<Stored>& t = *scene.triangle(primitive);
+    const auto material = static_cast<std::uint32_t>(t.material);
+    return {scene.places != nullptr ? scene.places[primitive].object : static_cast<std::uint32_t>(t.object),
+            material};
   }
   const std::uint32_t sphere = primitive - scene.triangle_count;
   return sphere < scene.sphere_count ? scene.sphere_surfaces[sphere]

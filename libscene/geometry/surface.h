@@ -174,7 +174,7 @@ MASU_HD inline SurfacePoint<typename TestRay::Real> surface_at(const SceneView<S
   const PrimitiveIndex primitive = near.hit.primitive;
   if constexpr ((kinds & with_triangles) != 0) {
     if (kinds == with_triangles || primitive < scene.triangle_count)
-      return surface_at(scene, near.ray, near.hit.t, scene.triangles[primitive]);
+      return surface_at(scene, near.ray, near.hit.t, *scene.triangle(primitive));
   }
   const std::uint32_t sphere = primitive - scene.triangle_count;
   SurfacePoint<typename TestRay::Real> point{};
@@ -204,7 +204,9 @@ MASU_HD inline NearHit<WatertightRay<Real>> hit_again(const SceneView<Stored>& s
   prepare(near.ray, clipped.ray.origin, clipped.ray.direction);
   NoTestCounts counts;
   Real t;
-  if (intersect<with_all_kinds>(scene, near.ray, hit.primitive, clipped.ray.t_min, t, counts)) near.hit.t = t;
+  const Leaf<Stored> record = leaf_of(scene, hit.primitive);
+  if (intersect<with_all_kinds>(scene, near.ray, hit.primitive, record, clipped.ray.t_min, t, counts))
+    near.hit.t = t;
   return near;
 }
 

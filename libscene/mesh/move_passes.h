@@ -87,15 +87,14 @@ struct SurveyOf {
 template <class Executor, class Stored>
 struct MovedTriangles {
   bool is_missing = false; // one of them can be hit, but isn't referred to: nothing else is filled in then
-  ArrayOf<Executor, Triangle<Stored>> triangles{};
-  Boxd bounds{}; // of the whole scene, relative to its origin
+  ArrayOf<Executor, Triangle<Stored>> triangles{}; // in the scene's order
+  Boxd bounds{};                                   // of the whole scene, relative to its origin
 };
 
 // Of a scene where the executor sees it. `references`: so many of a hierarchy, or null where nothing is to be
-// referred to. A hierarchy holds what is no farther
-// than `max_reach`. Throws Error(usage, "vertices", …) for coordinates that aren't finite or beyond 1e100, or
-// that the scene's store or a hierarchy doesn't hold. Vertices between which there is no triangle aren't
-// read.
+// referred to. A hierarchy holds what is no farther than `max_reach`. Throws Error(usage, "vertices", …) for
+// coordinates that aren't finite or beyond 1e100, or that the scene's store or a hierarchy doesn't hold.
+// Vertices between which there is no triangle aren't read.
 template <class Executor, class Stored, class Number>
 MovedTriangles<Executor, Stored>
 moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedVertices<Number>& vertices,
@@ -111,8 +110,10 @@ moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedV
   if (survey.first_missing != no_primitive) return {true};
   const bool is_all_points = survey.first_surface == no_primitive;
   const auto in_no_surface = stored_point<Stored>(vertices.origin, points_without_surface);
-  MovedTriangles<Executor, Stored> moved{
-      false, executor.template array<Triangle<Stored>>(scene.triangle_count), survey.bounds};
+  const bool in_leaf_order = scene.places != nullptr;
+  const std::uint64_t records = in_leaf_order ? reference_count + 1 : scene.triangle_count;
+  MovedTriangles<Executor, Stored> moved{false, executor.template array<Triangle<Stored>>(records),
+                                         survey.bounds};
   if (is_all_points && scene.triangle_count > 0)
     moved.bounds = join(moved.bounds, cast<double>(in_no_surface));
   if (!reaches_within<Stored>(moved.bounds) ||
@@ -121,8 +122,13 @@ moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedV
   const Triangle<Stored>* const before = scene.triangles;
   Triangle<Stored>* const after = moved.triangles.data();
   const std::uint64_t first_corner = 3 * std::uint64_t{survey.first_surface};
-  executor.for_each(scene.triangle_count, [=] MASU_PASS(std::uint64_t i) {
-    const Triangle<double> face = vertices.face(i);
+  executor.for_each(records, [=] MASU_PASS(std::uint64_t i) {
+    const std::uint64_t number = !in_leaf_order ? i : i < reference_count ? references[i] : no_primitive;
+    if (number >= scene.triangle_count) { // of another kind, or none
+      after[i] = before[i];
+      return;
+    }
+    const Triangle<double> face = vertices.face(number);
     Triangle<Stored> triangle = stored_triangle<Stored>(vertices.origin, face);
     if (!has_distinct_corners(face.a, face.b, face.c))
       triangle.a = triangle.b = triangle.c =

@@ -16,8 +16,9 @@ class PixelLists {
 public:
   using Real = typename M::Real;
 
-  PixelLists(const SceneView<Stored>& scene, const HierarchyView<Real>& hierarchy, const RenderRules& rules)
-      : scene_(scene), hierarchy_(hierarchy), rules_(rules) {}
+  PixelLists(const SceneView<Stored>& scene, const Lighting<Stored>& lighting,
+             const HierarchyView<Real>& hierarchy, const RenderRules& rules)
+      : scene_(scene), lighting_(lighting), hierarchy_(hierarchy), rules_(rules) {}
 
   void clear() { pixels_.clear(); }
   // Before follow_all(). Neighbours among the pixels should be neighbours in the picture.
@@ -37,7 +38,8 @@ public:
       for (const std::size_t i : going) {
         Pixel& pixel = pixels_[i];
         const auto arrive = [&]() -> const Arrival<Real>& { return pixel.at; };
-        if (follow(scene_, rules_, pixel.hit, pixel.tree, pixel.first_hit, arrive, occluded, counts))
+        if (follow(scene_, lighting_, rules_, pixel.hit, pixel.tree, pixel.first_hit, arrive, occluded,
+                   counts))
           going[left++] = i;
       }
       going.resize(left);
@@ -91,7 +93,7 @@ private:
       if (pixel.hit.hit.primitive == no_primitive) continue;
       const Vec3<Real>& direction = pixel.tree.ray.direction;
       pixel.at = arrival<M>(scene_, rules_, pixel.hit, direction);
-      direct_light(scene_, pixel.at, direction, add, counts);
+      direct_light(scene_, lighting_, pixel.at, direction, add, counts);
     }
     dark_.assign(rays_.size(), 0);
     trace<Query::occlusion>([&](std::size_t k, const ListedHit<Real>& found) {
@@ -115,6 +117,7 @@ private:
   }
 
   const SceneView<Stored>& scene_;
+  const Lighting<Stored>& lighting_;
   const HierarchyView<Real>& hierarchy_;
   const RenderRules& rules_;
   std::vector<Pixel> pixels_;

@@ -45,6 +45,7 @@ void for_each_pixel(const Tile& tile, const Act& act) {
 template <class Real, class Stored>
 struct Pixels {
   const SceneView<Stored>& scene;
+  const Lighting<Stored>& lighting;
   const FrameRequest& request;
   Frame& frame;
   CameraRays<Real> rays = camera_rays<Real>(request.camera, request.sampling, request.hither, request.window);
@@ -75,8 +76,8 @@ void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Str
     for_each_pixel(tile, [&](std::int32_t column, std::int32_t row) {
       HitRecord hit{};
       C ray_counts;
-      const Vec3f light =
-          radiance<M>(pixels.scene, structure, request.rules, pixels.ray(column, row), hit, ray_counts);
+      const Vec3f light = radiance<M>(pixels.scene, pixels.lighting, structure, request.rules,
+                                      pixels.ray(column, row), hit, ray_counts);
       pixels.write(column, row, light, hit);
       write_costs(costs, pixels.index(column, row), ray_counts);
       if (row < counted_rows) add(counts, ray_counts);
@@ -91,7 +92,7 @@ template <class M, class Stored>
 void render_by_lists(const Pixels<typename M::Real, Stored>& pixels,
                      const HierarchyView<typename M::Real>& hierarchy) {
   tbb::enumerable_thread_specific<PixelLists<M, Stored>> all_lists(
-      [&] { return PixelLists<M, Stored>(pixels.scene, hierarchy, pixels.request.rules); });
+      [&] { return PixelLists<M, Stored>(pixels.scene, pixels.lighting, hierarchy, pixels.request.rules); });
   for_each_tile(pixels.request, pixels.frame, [&](const Tile& tile) {
     PixelLists<M, Stored>& lists = all_lists.local();
     lists.clear();
@@ -107,9 +108,9 @@ void render_by_lists(const Pixels<typename M::Real, Stored>& pixels,
 #endif
 
 template <class M, class Stored, class Structure, class C>
-void render(const SceneView<Stored>& scene, const Structure& structure, const FrameRequest& request,
-            Frame& frame, const C& counts) {
-  const Pixels<typename M::Real, Stored> pixels{scene, request, frame};
+void render(const SceneView<Stored>& scene, const Lighting<Stored>& lighting, const Structure& structure,
+            const FrameRequest& request, Frame& frame, const C& counts) {
+  const Pixels<typename M::Real, Stored> pixels{scene, lighting, request, frame};
 #ifdef MASU_HOST_AVX2
   // Spheres and cones are tested one at a time either way, and rings' pictures would take 5 % longer.
   if constexpr (tests_triangles_in_lanes<M, Stored> && is_hierarchy<Structure> && !C::is_counted) {
@@ -123,11 +124,13 @@ void render(const SceneView<Stored>& scene, const Structure& structure, const Fr
 
 void render_cpu(const SceneFile& scene, const StructureFile* structure, const FrameRequest& request,
                 Frame& frame) {
-  with_everything(scene, structure, request.tracing,
-                  [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
-                    frame.seconds.trace =
-                        seconds_of([&] { render<M>(view, accelerator, request, frame, counts); });
-                  });
+  with_everything(
+      scene, structure, request.tracing,
+      [&]<class M, class Stored>(const SceneView<Stored>& view, const auto& accelerator, M, auto counts) {
+        const Lighting<Stored> lighting = scene.lighting<Stored>();
+        frame.seconds.trace =
+            seconds_of([&] { render<M>(view, lighting, accelerator, request, frame, counts); });
+      });
 }
 
 } // namespace masu

@@ -19,17 +19,18 @@ namespace {
 
 // Checks the records that the host hasn't, and prepares what is made of them.
 template <class Stored>
-unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const StructureFile* structure) {
+unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const StructureFile* structure,
+                       Transfer& upload) {
   const DeviceChecker checker(files.memory);
   const SceneView<Stored>& view = files.scene.view;
   const auto refuse = [](const std::string& path, const char* fault) {
     if (fault != nullptr) throw_damaged(path, fault);
   };
-  if (scene.residence() == Residence::file)
-    refuse(scene.path(), fault_of(checker, view, scene.bounds(), scene.counts()));
   if (structure != nullptr && structure->residence() == Residence::file)
     refuse(structure->path(), fault_of(checker, *files.structure.records));
-  files.make_leaves();
+  if (files.is_hierarchy()) files.upload_leaves(scene, upload);
+  if (scene.residence() == Residence::file)
+    refuse(scene.path(), fault_of(checker, view, files.scene.lighting, scene.bounds(), scene.counts()));
   const bool has_tapers =
       !checker.all(view.cone_count, [=] __device__(std::uint64_t i) { return !tapers(view.cones[i]); });
   return kinds_in(view, has_tapers);
@@ -46,9 +47,10 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, con
   const auto upload_as = [&]<class Stored>(std::optional<DeviceFilesOf<Stored>>& stored) {
     stored.emplace(scene, structure, memory->pool, upload);
     upload.run();
-    files->kinds = checked_kinds(*stored, scene, structure);
+    files->kinds = checked_kinds(*stored, scene, structure, upload);
   };
   scene.is_float64() ? upload_as(files->float64) : upload_as(files->float32);
+  memory->pool.trim(); // of what checks and leaves took meanwhile
   return files;
 }
 

@@ -1,17 +1,19 @@
-// A scene and a grid on a CUDA device: one copy a section, as they lie in the files. CUDA sources only.
+// A scene and its structure on a CUDA device: one copy a section, as they lie in the files, but triangles
+// that a hierarchy refers to, which lie in its leaves. CUDA sources only.
 #pragma once
 
 #include "libgrid/file/structure_file.h"
 #include "libgrid/hierarchy/moved_hierarchy.h"
-#include "libgrid/trace/trace.h"
+#include "libgrid/trace/any_structure.h"
+#include "libscene/base/atomic.h"
 #include "libscene/cuda/device_primitives.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/scene_view.h"
 #include "renderer/cuda/kernel.h"
 #include "renderer/dispatch.h"
 
+#include <algorithm>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,42 +29,81 @@ std::shared_ptr<const void> shared(DeviceArray<T> array) {
 template <class Stored>
 struct DeviceScene {
   SceneView<Stored> view;
+  Lighting<Stored> lighting;
   std::shared_ptr<const void> triangles;
   SharedArrays others;
 
-  DeviceScene(const SceneFile& file, Transfer& upload) : view(file.view<Stored>()) {
+  // Triangles in leaf order come later (DeviceFilesOf::upload_leaves).
+  DeviceScene(const SceneFile& file, bool in_leaf_order, Transfer& upload)
+      : view(file.view<Stored>()), lighting(file.lighting<Stored>()) {
     using fb::SceneSection;
-    DevicePrimitives<Stored> primitives(view, file, upload);
-    triangles = shared(std::move(primitives.triangles));
-    others = {shared(std::move(primitives.spheres)), shared(std::move(primitives.cones))};
     const auto add = [&]<class T>(SceneSection section, const T*& records, std::uint64_t count) {
       others.push_back(shared(uploaded(file, section, records, count, upload)));
     };
+    if (!in_leaf_order)
+      triangles =
+          shared(uploaded(file, SceneSection::triangles, view.triangles, view.triangle_count, upload));
+    add(SceneSection::spheres, view.spheres, view.sphere_count);
+    add(SceneSection::cones, view.cones, view.cone_count);
     add(SceneSection::corner_normals, view.normals, file.counts().normals);
     add(SceneSection::sphere_surfaces, view.sphere_surfaces, view.sphere_count);
     add(SceneSection::cone_surfaces, view.cone_surfaces, view.cone_count);
     add(SceneSection::faces, view.faces, file.has_faces() ? view.triangle_count : 0);
     add(SceneSection::materials, view.materials, file.counts().materials);
-    add(SceneSection::lights, view.lights, view.light_count);
+    add(SceneSection::lights, lighting.lights, lighting.light_count);
   }
 };
 
 struct DeviceStructure {
   TracedRecords records;
-  std::shared_ptr<const void> nodes;
+  std::shared_ptr<const void> nodes, references;
   SharedArrays others;
 
   DeviceStructure(const StructureFile* file, Transfer& upload) : records(records_of(file)) {
     if (file == nullptr) return;
     using fb::StructureSection;
-    const auto add = [&]<class T>(StructureSection section, const T*& of, std::uint64_t count,
-                                  std::size_t room = 0) {
-      others.push_back(shared(uploaded(*file, section, of, count, upload, room)));
+    const auto sent = [&]<class T>(StructureSection section, const T*& of, std::uint64_t count,
+                                   std::size_t room = 0) {
+      return shared(uploaded(*file, section, of, count, upload, room));
     };
-    add(StructureSection::voxel_map, records->voxel_map, records->words);
-    add(StructureSection::cells, records->cells, records->cell_count);
-    add(StructureSection::references, records->references, records->reference_count, references_read_ahead);
-    nodes = shared(uploaded(*file, StructureSection::nodes, records->nodes, records->node_count, upload));
+    others = {sent(StructureSection::voxel_map, records->voxel_map, records->words),
+              sent(StructureSection::cells, records->cells, records->cell_count)};
+    references = sent(StructureSection::references, records->references, records->reference_count,
+                      references_read_ahead);
+    nodes = sent(StructureSection::nodes, records->nodes, records->node_count);
+  }
+};
+
+template <class Real, class Stored>
+using AnyOnDevice = AnyStructure<Real, LeafHierarchyView<Real, Stored>>;
+
+// Takes a corner of a triangle, as it lies in a file, to the triangle's leaf: parts of an upload don't end
+// with triangles.
+template <class Stored>
+struct CornerToLeaf {
+  // With one of the triangle's tags.
+  struct Corner {
+    Vec3<Stored> at;
+    typename Triangle<Stored>::Tag tag;
+  };
+  static_assert(3 * sizeof(Corner) == sizeof(Triangle<Stored>));
+
+  TrianglePlace* places;
+  Triangle<Stored>* leaves;
+  std::uint32_t none;              // no triangle's leaf
+  const Corner* corners = nullptr; // of the part,
+  std::uint64_t first = 0;         // which begins with this one of the scene's
+
+  __device__ void operator()(std::uint64_t i) const {
+    const std::uint64_t triangle = (first + i) / 3, which = (first + i) % 3;
+    Corner corner = corners[i];
+    if (which == 0) {
+      places[triangle].object =
+          corner.tag < no_primitive ? static_cast<std::uint32_t>(corner.tag) : no_primitive;
+      corner.tag = static_cast<std::uint32_t>(triangle);
+    }
+    const std::uint32_t leaf = places[triangle].leaf;
+    if (leaf != none) reinterpret_cast<Corner*>(leaves + leaf)[which] = corner;
   }
 };
 
@@ -72,14 +113,16 @@ struct DeviceFilesOf {
   StreamMemory memory; // null stream, own pool
   DeviceScene<Stored> scene;
   DeviceStructure structure;
-  DeviceArray<Leaf<Stored>> leaves; // of LeafHierarchyView
   std::shared_ptr<KernelCache> kernels = std::make_shared<KernelCache>();
 
+  // For a hierarchy upload_leaves() is to follow.
   DeviceFilesOf(const SceneFile& host_scene, const StructureFile* host_structure, cudaMemPool_t pool,
                 Transfer& upload)
-      : memory{nullptr, pool}, scene(host_scene, upload), structure(host_structure, upload) {}
+      : memory{nullptr, pool},
+        scene(host_scene, host_structure != nullptr && host_structure->is_hierarchy(), upload),
+        structure(host_structure, upload) {}
 
-  // The same scene with its triangles and the hierarchy's nodes displaced; without leaves.
+  // The same scene with its triangles and the hierarchy's nodes displaced.
   DeviceFilesOf(const DeviceFilesOf& before, MovedHierarchy<Stored> displaced)
       : memory(before.memory), scene(before.scene), structure(before.structure), kernels(before.kernels) {
     scene.view.triangles = displaced.triangles.data();
@@ -89,18 +132,64 @@ struct DeviceFilesOf {
     structure.nodes = shared(std::move(displaced.nodes));
   }
 
-  // When the files are there and checked. Scenes of doubles are traced through the hierarchy's references.
-  void make_leaves() {
-    if (!std::is_same_v<Stored, float> || !structure.records || !structure.records->is_hierarchy) return;
-    const std::size_t count = structure.records->reference_count;
-    if (count == 0) return;
-    leaves = DeviceArray<Leaf<Stored>>(count, memory);
-    const SceneView<Stored> primitives = scene.view;
+  bool is_hierarchy() const { return structure.records && structure.records->is_hierarchy; }
+
+  // The scene's primitives into the leaves of the hierarchy, whose records are there and checked: triangles
+  // are nowhere else on the device. What a leaf is of stands in it: the references are given up.
+  void upload_leaves(const SceneFile& file, Transfer& upload) {
+    SceneView<Stored>& view = scene.view;
+    const std::uint64_t count = structure.records->reference_count;
     const PrimitiveIndex* const references = structure.records->references;
-    Leaf<Stored>* const leaf = leaves.data();
-    for_each_on_device(count, memory.stream,
-                       [=] __device__(std::uint64_t i) { leaf[i] = leaf_of(primitives, references[i]); });
+    DeviceArray<TrianglePlace> place_array(std::max(view.triangle_count, 1U), memory);
+    // One more, a point, in the place of triangles without a surface, which no reference is to.
+    DeviceArray<Triangle<Stored>> leaf_array(count + 1, memory);
+    TrianglePlace* const places = place_array.data();
+    Triangle<Stored>* const leaves = leaf_array.data();
+    const auto none = static_cast<std::uint32_t>(count);
+    const std::uint32_t triangle_count = view.triangle_count;
+    const Vec3<Stored> point = cast<Stored>(file.bounds().min);
+    for_each_on_device(std::max(triangle_count, 1U), memory.stream, [=] __device__(std::uint64_t i) {
+      if (i < triangle_count) places[i] = {none, no_primitive};
+      if (i == 0) leaves[none] = {point, no_primitive, point, 0, point, no_normals};
+    });
+    for_each_on_device(count, memory.stream, [=] __device__(std::uint64_t i) {
+      if (references[i] < triangle_count) lower(places[references[i]].leaf, static_cast<std::uint32_t>(i));
+    });
+    const auto place = [=](const void* part, std::uint64_t offset, std::size_t bytes, cudaStream_t stream) {
+      using Corner = typename CornerToLeaf<Stored>::Corner;
+      const auto* const corners = static_cast<const Corner*>(part);
+      for_each_on_device(bytes / sizeof(Corner), stream,
+                         CornerToLeaf<Stored>{places, leaves, none, corners, offset / sizeof(Corner)});
+    };
+    const Triangle<Stored>* const in_host = file.view<Stored>().triangles;
+    if (in_host != nullptr)
+      upload.to_device(place, in_host, triangle_count * sizeof(Triangle<Stored>));
+    else if (triangle_count > 0)
+      upload.to_device(place, file.reader<Triangle<Stored>>(fb::SceneSection::triangles));
+    upload.run();
+    view.places = places;
+    view.triangles = leaves;
+    const SceneView<Stored> placed = view;
+    for_each_on_device(count, memory.stream, [=] __device__(std::uint64_t i) {
+      if (references[i] >= triangle_count || places[references[i]].leaf != i)
+        leaves[i] = leaf_of(placed, references[i]).record;
+    });
     check(cudaStreamSynchronize(memory.stream));
+    scene.triangles = shared(std::move(leaf_array));
+    scene.others.push_back(shared(std::move(place_array)));
+    structure.references.reset();
+    structure.records->references = nullptr;
+  }
+
+  // What a hierarchy refers to.
+  DeviceArray<PrimitiveIndex> references() const {
+    DeviceArray<PrimitiveIndex> array(structure.records->reference_count, memory);
+    PrimitiveIndex* const reference = array.data();
+    const Triangle<Stored>* const leaves = scene.view.triangles;
+    for_each_on_device(array.size(), memory.stream, [=] __device__(std::uint64_t i) {
+      reference[i] = static_cast<PrimitiveIndex>(leaves[i].object);
+    });
+    return array;
   }
 
   // A view of the records as kernels have it: through a hierarchy with leaves.
@@ -110,7 +199,11 @@ struct DeviceFilesOf {
   }
   template <class Real>
   LeafHierarchyView<Real, Stored> on_device(const HierarchyView<Real>& view) const {
-    return {view.nodes, leaves.data()};
+    return {view.nodes, reinterpret_cast<const Leaf<Stored>*>(scene.view.triangles)};
+  }
+  template <class Real>
+  AnyOnDevice<Real, Stored> on_device(const AnyStructure<Real>& any) const {
+    return {any.form, any.stop, any.uniform, any.merged, on_device(any.hierarchy)};
   }
 };
 

@@ -37,11 +37,13 @@ std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, co
     DeviceArray<Number> copy;
     const MovedVertices<Number> on_gpu{on_device(numbers, 3 * vertices.count, memory, copy),
                                        memory.indices.data(), origin};
+    const DeviceArray<PrimitiveIndex> references = from.references();
+    StructureRecords hierarchy = *from.structure.records;
+    hierarchy.references = references.data();
     MovedHierarchy<Stored> moved =
-        moved_hierarchy(from.scene.view, *from.structure.records, on_gpu, memory.pool, memory.device);
+        moved_hierarchy(from.scene.view, hierarchy, on_gpu, memory.pool, memory.device);
     if (moved.nodes.size() == 0) return false;
     to.emplace(from, std::move(moved));
-    to->make_leaves();
     return true;
   };
   const auto move_to = [&](const auto& from, auto& to) {

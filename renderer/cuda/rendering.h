@@ -13,7 +13,7 @@ namespace masu {
 
 template <class M, class Stored, class Structure, class C>
 __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
-    render_kernel(const SceneView<Stored> scene, const Structure structure,
+    render_kernel(const SceneView<Stored> scene, const Lighting<Stored> lighting, const Structure structure,
                   const CameraRays<typename M::Real> rays, const RenderRules rules, Vec3f* const colors,
                   HitRecord* const hits, Counts* const total, const RayCosts costs,
                   const std::int32_t counted_rows) {
@@ -24,7 +24,8 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
   HitRecord hit{};
   const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
                             static_cast<std::size_t>(column);
-  const Vec3f light = radiance<M>(scene, structure, rules, camera_ray(rays, column, row), hit, counts);
+  const Vec3f light =
+      radiance<M>(scene, lighting, structure, rules, camera_ray(rays, column, row), hit, counts);
   if (colors != nullptr) colors[index] = light;
   if (hits != nullptr) hits[index] = hit;
   write_costs(costs, index, counts);
@@ -59,8 +60,9 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const FrameRequest& re
         frame.kernel = load(kernel);
         frame.seconds.trace = timed(stream, [&] {
           launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
-                 files.scene.view, structure, rays, request.rules, colors.data(), hits.data(), total.data(),
-                 RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
+                 files.scene.view, files.scene.lighting, structure, rays, request.rules, colors.data(),
+                 hits.data(), total.data(), RayCosts{cells.data(), tests.data()},
+                 frame.rows - (request.count_last_row ? 0 : 1));
           if (request.rgb) launch_bytes(colors.data(), frame.columns, request.sampling, rgb, stream);
           if (request.attributes)
             launch_attributes(files.scene.view, rays, hits, attribute_results(objects.data(), normals.data()),

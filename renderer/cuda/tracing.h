@@ -35,7 +35,7 @@ __global__ void __launch_bounds__(rays_per_block)
 // Of hits in order, through any structure: one kernel for all such queries.
 template <class M, class Stored>
 __global__ void __launch_bounds__(rays_per_block)
-    hits_kernel(const SceneView<Stored> scene, const AnyStructure<typename M::Real> structure,
+    hits_kernel(const SceneView<Stored> scene, const AnyOnDevice<typename M::Real, Stored> structure,
                 const Ray<typename M::Real>* const rays, const RayFilters filters, const std::uint64_t count,
                 const HitRules rules, const RayResults results) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_per_block + threadIdx.x;
@@ -165,7 +165,8 @@ KernelSize trace_list(const DeviceFilesOf<Stored>& files, const Structure& struc
     using General = Method<typename M::TestRay, with_all_kinds>;
     if constexpr (loops)
       if (by_warps) return trace_by_warps<query, General>(files, structure, loop, batch);
-    return trace_by_threads<query, General, C>(files, any_structure<Real>(files.structure.records), batch);
+    return trace_by_threads<query, General, C>(
+        files, files.on_device(any_structure<Real>(files.structure.records)), batch);
   } else {
     if constexpr (loops && is_any_structure<Structure>) {
       if (by_warps && structure.form == StructureForm::merged && structure.stop == StopRule::proven)
@@ -197,8 +198,8 @@ KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const HitRules& rules
   auto* const kernel = hits_kernel<OnDevice<Method<TestRay, with_all_kinds>>, Stored>;
   batch.begin();
   launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.memory.stream,
-         files.scene.view, any_structure<Real>(files.structure.records), batch.rays, filters, batch.count,
-         rules, batch.results);
+         files.scene.view, files.on_device(any_structure<Real>(files.structure.records)), batch.rays, filters,
+         batch.count, rules, batch.results);
   return files.kernels->of(kernel, rays_per_block).size;
 }
 

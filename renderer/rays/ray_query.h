@@ -337,7 +337,7 @@ MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearH
     found.object = surface_of(scene, primitive).object;
     found.face = face_of(scene, primitive);
     if (primitive < scene.triangle_count) {
-      const Triangle<Stored>& triangle = scene.triangles[primitive];
+      const Triangle<Stored>& triangle = *scene.triangle(primitive);
       const TriangleHit hit = triangle_hit(near.ray, near.hit.t, triangle);
       set_on_triangle(found, scene, triangle, hit.normal, hit.u, hit.v);
     } else {

@@ -278,7 +278,7 @@ void add_skipped(double skipped, WalkRay& ray) {
 }
 
 template <class M, class Stored, class Structure>
-void record(const SceneView<Stored>& scene, const Vec3d& origin, const Structure& structure,
+void record(const SceneFile& file, const SceneView<Stored>& scene, const Structure& structure,
             const WalkRequest& request, WalkReport& report) {
   using Real = typename M::Real;
   Ray<double> given = request.ray;
@@ -287,7 +287,7 @@ void record(const SceneView<Stored>& scene, const Vec3d& origin, const Structure
         unbounded_ray(given.origin, std::abs(length(given.direction) - 1) > 1e-6 ? normalized(given.direction)
                                                                                  : given.direction);
   RayFormat format = own_format<double>;
-  if (!request.is_relative) format.origin = origin;
+  if (!request.is_relative) format.origin = file.origin();
   const Ray<Real> start = loaded<Real>(&given, format, 0);
   const ListedRay<Real> listed = listed_ray<Real>(&given, format, 0, scene.clip);
   if (!is_valid(start))
@@ -298,7 +298,7 @@ void record(const SceneView<Stored>& scene, const Vec3d& origin, const Structure
     RecordedWalk<Real> walk(report, request, 1);
     HitRecord hit{};
     try {
-      report.radiance = radiance<M>(scene, structure, request.rules, ray, hit, walk);
+      report.radiance = radiance<M>(scene, file.lighting<Stored>(), structure, request.rules, ray, hit, walk);
     } catch (const EndedEarly&) {
       report.ended_early = true;
     }
@@ -343,11 +343,11 @@ WalkReport trace_walk(const ResidentTracer& tracer, const WalkRequest& request) 
   with_store_and_arithmetic(
       tracer.scene(), rules.precision,
       [&]<class TestRay, class Stored>(const SceneView<Stored>& scene, Arithmetic<TestRay>) {
-        with_method<TestRay, Stored>(
-            records_of(structure), rules, [&]<class M, class C>(const auto& accelerator, M, C) {
-              if constexpr (std::is_same_v<C, Counts>)
-                record<M>(scene, tracer.scene().origin(), accelerator, request, report);
-            });
+        with_method<TestRay, Stored>(records_of(structure), rules,
+                                     [&]<class M, class C>(const auto& accelerator, M, C) {
+                                       if constexpr (std::is_same_v<C, Counts>)
+                                         record<M>(tracer.scene(), scene, accelerator, request, report);
+                                     });
       });
   move_to_world(tracer.scene().origin(), report);
   tracer.scene().check_unchanged();

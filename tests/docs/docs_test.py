@@ -22,7 +22,6 @@ import sys
 NOT_RUN = {
     r"^tools/(demo|test)\.sh": "install packages and build everything; test.sh runs this test",
     r"^pip install": "installs for the user: wheel_test.py installs into an environment of its own",
-    r"^examples/lesson\.sh": "takes two minutes: most of its commands are lesson.md's",
     r"tools/bench/scripts/(performance|accuracy)(\.sh|_tables\.py)": "take minutes to hours on a quiet machine",
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",

@@ -27,7 +27,7 @@ def broken_links(document):
         target = document.parent / name if name else document
         if re.match(r"[a-z]+:", link):
             continue
-        if not target.exists() or (anchor and anchor not in anchors(target)):
+        if not target.exists() or (anchor and target.suffix == ".md" and anchor not in anchors(target)):
             yield link
 
 

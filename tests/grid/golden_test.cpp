@@ -105,7 +105,8 @@ void expect_tiny_scene(const SceneFile& file) {
   const Scene scene = tiny_scene();
   expect_table_of_tiny_scene(file.table());
   const SceneView<Stored> view = file.view<Stored>();
-  const auto spans = spans_of(view);
+  const Lighting<Stored> lighting = file.lighting<Stored>();
+  const auto spans = spans_of(view, lighting);
   expect_records("triangles", spans.triangles, scene.triangles);
   expect_records("normals", std::span(view.normals, file.counts().normals), scene.normals);
   expect_records("spheres", spans.spheres, scene.spheres);
@@ -114,8 +115,8 @@ void expect_tiny_scene(const SceneFile& file) {
   EXPECT_TRUE(same_values(std::span(view.cone_surfaces, view.cone_count), scene.cone_surfaces));
   EXPECT_TRUE(same_values(in_float(spans.lights), in_float(std::span<const Light<double>>(scene.lights))));
   EXPECT_TRUE(same_values(std::span(view.materials, file.counts().materials), scene.materials));
-  EXPECT_EQ(view.ambient, scene.ambient);
-  EXPECT_EQ(view.background, scene.background);
+  EXPECT_EQ(lighting.ambient, scene.ambient);
+  EXPECT_EQ(lighting.background, scene.background);
 }
 
 TEST(GoldenFileReading, Float32SceneIsRead) {

@@ -56,11 +56,12 @@ List<Real> tried(const SceneView<Stored>& scene, const Ray<Real>& ray, const Hit
     if (i == filter.excluded) continue;
     const std::uint32_t object = surface_of(scene, i).object;
     if (filter.object_masks != nullptr && (filter.object_masks[object] & filter.ray_mask) == 0) continue;
-    each_hit<with_all_kinds>(scene, test_ray, i, filter.edges, [&](Real t, bool front) {
-      if (t > near.ray.t_min && t < near.ray.t_max &&
-          (filter.faces == Faces::both || front == (filter.faces == Faces::front)))
-        found.push_back({{t + near.skipped, i, front}, t});
-    });
+    each_hit<with_all_kinds>(scene, test_ray, i, SceneRecord<Stored>{scene, i}, filter.edges,
+                             [&](Real t, bool front) {
+                               if (t > near.ray.t_min && t < near.ray.t_max &&
+                                   (filter.faces == Faces::both || front == (filter.faces == Faces::front)))
+                                 found.push_back({{t + near.skipped, i, front}, t});
+                             });
   }
   std::ranges::sort(found, {}, [](const Found& f) { return std::tuple(f.near_t, f.primitive, !f.front); });
   return {found.begin(), found.end()};

@@ -90,6 +90,28 @@ TYPED_TEST(MovedTriangles, AreTheSameByAnyExecutor) {
     EXPECT_FALSE(
         moved_triangles(executor, scene.view(), moved, listed.data(), count, max_hierarchy_reach).is_missing);
     if (count == 0) continue;
+    // In leaf order, some twice, with another primitive, and with what follows the leaves.
+    listed.pop_back();
+    for (std::size_t i = 0; i < scene.view().primitive_count(); i += 3)
+      listed.push_back(static_cast<PrimitiveIndex>(i));
+    std::vector<Triangle<TypeParam>> leaves(listed.size() + 1), expected = leaves;
+    std::vector<TrianglePlace> places(count);
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+      const PrimitiveIndex number = listed[i];
+      if (number < count) {
+        places[number] = {static_cast<std::uint32_t>(i), 0};
+        leaves[i] = scene.triangles[number];
+        expected[i] = here.triangles[number];
+      }
+      leaves[i].object = expected[i].object = number;
+    }
+    SceneView<TypeParam> in_leaf_order = scene.view();
+    in_leaf_order.triangles = leaves.data();
+    in_leaf_order.places = places.data();
+    EXPECT_TRUE(same_values(
+        moved_triangles(executor, in_leaf_order, moved, listed.data(), listed.size(), max_hierarchy_reach)
+            .triangles,
+        expected));
     const SceneTriangle last = moved.face(count - 1);
     EXPECT_EQ(moved_triangles(executor, scene.view(), moved, listed.data(), count - 1, max_hierarchy_reach)
                   .is_missing,

@@ -204,14 +204,11 @@ void compare_pixels(std::int64_t scenes, Chance& chance) {
     for (Light<float>& light : lights)
       light = {cast<float>(maker.ray().origin) * (chance.one_in(8) ? 1e5F : 1.0F),
                {share(), share(), share()}};
-    SceneView<float> view = scene.view();
-    view.lights = lights;
-    view.light_count = 2;
-    view.background = {share(), share(), share()};
-    view.ambient = share();
+    const SceneView<float> view = scene.view();
+    const Lighting<float> lighting{lights, 2, {share(), share(), share()}, share()};
     const RenderRules rules{chance.whole(0, 6), chance.one_in(3), HitName::primitive};
     const auto hierarchy = hierarchy_view_of<Real>(grid);
-    PixelLists<M, float> pixels(view, hierarchy, rules);
+    PixelLists<M, float> pixels(view, lighting, hierarchy, rules);
     std::vector<Ray<Real>> rays(static_cast<std::size_t>(chance.whole(1, 200)));
     for (std::size_t i = 0; i < rays.size(); ++i) {
       Ray<Real> ray = maker.ray();
@@ -225,7 +222,7 @@ void compare_pixels(std::int64_t scenes, Chance& chance) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       NoCounts counts;
       HitRecord hit{};
-      const Vec3f light = radiance<M>(view, NoStructure{}, rules, rays[i], hit, counts);
+      const Vec3f light = radiance<M>(view, lighting, NoStructure{}, rules, rays[i], hit, counts);
       hits += hit.name >= 0;
       const HitRecord& found = pixels.first_hit(i);
       EXPECT_TRUE(found.name == hit.name && same_bits(found.t, hit.t))

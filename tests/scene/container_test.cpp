@@ -312,9 +312,9 @@ TEST(SceneFile, EmptySceneIsReadBack) {
   const SceneFile file(written_scene(folder, scene));
   EXPECT_EQ(file.primitive_count(), 0U);
   EXPECT_TRUE(is_empty(file.bounds()));
-  const SceneView<double> view = SceneFile(written_scene(folder, scene, Store::float64)).view<double>();
-  EXPECT_EQ(view.primitive_count(), 0U);
-  EXPECT_EQ(view.light_count, 0U);
+  const SceneFile of_doubles(written_scene(folder, scene, Store::float64));
+  EXPECT_EQ(of_doubles.primitive_count(), 0U);
+  EXPECT_EQ(of_doubles.lighting<double>().light_count, 0U);
 }
 
 TEST(StructureFile, OfAnotherGeometryIsRefused) {

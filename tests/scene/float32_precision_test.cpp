@@ -221,9 +221,9 @@ TEST_F(Float32Precisions, IsThatOfTheStoredScene) {
   for (const Store store : {Store::float32, Store::float64}) {
     write_scene(scene, store, folder.file("a.scene"));
     const SceneFile file(folder.file("a.scene"));
-    const Float32Precision precision = store == Store::float32
-                                           ? float32_precision(spans_of(file.view<float>()))
-                                           : float32_precision(spans_of(file.view<double>()));
+    const Float32Precision precision =
+        store == Store::float32 ? float32_precision(spans_of(file.view<float>(), file.lighting<float>()))
+                                : float32_precision(spans_of(file.view<double>(), file.lighting<double>()));
     EXPECT_EQ(precision.standing_alone, 1U);
     EXPECT_EQ(precision.rounding, store == Store::float32 ? 0 : float32_precision(scene).rounding);
   }

@@ -74,7 +74,8 @@ Vec3d far_away(Chance& chance, double least) {
 
 template <class Stored>
 void expect_same_records(const SceneFile& a, const SceneFile& b) {
-  const auto x = spans_of(a.view<Stored>()), y = spans_of(b.view<Stored>());
+  const auto x = spans_of(a.view<Stored>(), a.lighting<Stored>()),
+             y = spans_of(b.view<Stored>(), b.lighting<Stored>());
   EXPECT_TRUE(same_values(x.triangles, y.triangles));
   EXPECT_TRUE(same_values(x.spheres, y.spheres));
   EXPECT_TRUE(same_values(x.cones, y.cones));

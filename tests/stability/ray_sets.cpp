@@ -70,11 +70,11 @@ std::vector<Ray<double>> from_hits(const SceneFile& file, const StructureFile& g
 template <class Stored>
 std::vector<Ray<double>> shadow(const SceneFile& file, const StructureFile& grid,
                                 std::span<const Ray<double>> rays) {
-  const SceneView<Stored> scene = file.view<Stored>();
-  if (scene.light_count == 0) return {};
+  const Lighting<Stored> lighting = file.lighting<Stored>();
+  if (lighting.light_count == 0) return {};
   return from_hits<Stored>(file, grid, rays,
                            [&](std::size_t i, const SurfacePoint<Stored>& point, const Vec3<Stored>&) {
-                             const Vec3<Stored> light = scene.lights[i % scene.light_count].position;
+                             const Vec3<Stored> light = lighting.lights[i % lighting.light_count].position;
                              const Vec3<Stored> origin = leaving(point, light - point.position);
                              return Ray<double>{cast<double>(origin), 0, cast<double>(light - origin), 1};
                            });

@@ -65,7 +65,7 @@ bool float32_suffices(Trial<Stored> (*make)(Chance&, double, std::size_t), const
                       const Sweep& sweep, double step) {
   Chance chance = chance_for(seed.value(), sweep.name, std::is_same_v<Stored, double> ? -step : step);
   Trial<Stored> trial = make(chance, step, 1);
-  return float32_precision(spans_of(trial.original.value().view())).suffices();
+  return float32_precision(spans_of(trial.original.value().view(), Lighting<double>{})).suffices();
 }
 
 TEST_F(StoreRule, TakesTheStoreInWhichItsSweepsFailNowhere) {

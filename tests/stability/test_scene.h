@@ -187,6 +187,7 @@ struct TestScene {
     surfaces.assign(std::max(spheres.size(), cones.size()), Surface{0, 0});
     const auto number = [](const auto& records) { return static_cast<std::uint32_t>(records.size()); };
     return {triangles.data(),
+            nullptr,
             normals.data(),
             spheres.data(),
             surfaces.data(),
@@ -194,14 +195,10 @@ struct TestScene {
             surfaces.data(),
             nullptr,
             &material,
-            nullptr,
             number(triangles),
             number(spheres),
             number(cones),
-            0,
-            cast<Stored>(padded_bounds<Stored>(bounds())),
-            {0, 0, 0},
-            0};
+            cast<Stored>(padded_bounds<Stored>(bounds()))};
   }
 };
 

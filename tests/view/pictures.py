@@ -14,8 +14,8 @@ BUILDS = {"32": ["--division", 32], "balance": ["--division", 32, "--merge", "ba
 PICTURES = [
     ("view.jpg", "balls", ["irregular", "32"], "#grid={0},{1}&channel=all tests,all tests", SHARP),
     ("cut.png", "teapot", ["32", "irregular"], "#grid={0},{1}&channel=cut,cut&slice=y,0.5", SHARP),
-    ("plane.png", "teapot", ["32", "balance", "irregular", "bvh"],
-     "#view=plane&grid={0},{1},{2},{3}&slice=y,0.5&ray=-3.9,0,2.9,7.6,0,-1.4", WALKED),
+    ("plane.png", "teapot", ["balance", "irregular", "bvh"],
+     "#view=plane&grid=division-32,{0},{1},{2}&slice=y,0.5&ray=-3.9,0,2.9,7.6,0,-1.4", WALKED),
 ]
 
 

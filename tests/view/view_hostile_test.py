@@ -2,6 +2,7 @@
 
 view_hostile_test.py BIN_FOLDER
 """
+import contextlib
 import http.client
 import json
 import os
@@ -165,7 +166,7 @@ class Hostile(unittest.TestCase):
     def test_bad_parameters_are_refused(self):
         good = dict(grid="0", at="0,0,0", up="0,0,1", angle="45", depth="5", channel="shaded", quality="still", width="16", height="16")
         good["from"] = "2,1,1"
-        bad = dict(grid=["-1", "2", "99999999999999999999", "x", "", "0x0", "1e0"], angle=["0", "180", "nan", "inf", "-1", "1e999"],
+        bad = dict(grid=["-1", "11", "99999999999999999999", "x", "", "0x0", "1e0"], angle=["0", "180", "nan", "inf", "-1", "1e999"],
                    at=["2,1,1", "0,0", "0,0,0,0", "nan,0,0", "1e300,0,0", "a,b,c", ","], up=["0,0,0", "2,1,1"], depth=["0", "33", "-5"],
                    channel=["", "shade", "../x", "cut"], quality=["", "best"], width=["0", "-1", "8193", "4294967296", "1e9"], height=["0", "65536"],
                    crop=["0,0,17,1", "-1,0,1,1", "0,0,0,0", "1,1,1", "0,0,2147483647,2147483647"], other=["1"])
@@ -185,12 +186,12 @@ class Hostile(unittest.TestCase):
         for change in [{"axis": "3"}, {"axis": ""}, {"share": "1.5"}, {"share": "nan"}, {"channel": "depth"}]:
             self.assertEqual(status_of(self.server, "/api/picture?" + query({**cut, **change})), 400, change)
         for path in ["/api/slice?grid=0&axis=3&share=0.5", "/api/slice?grid=0&axis=0&share=1.5", "/api/slice?grid=0&axis=0&share=nan",
-                     "/api/boxes?grid=2", "/api/boxes?grid=0&depth=-1", "/api/boxes?grid=0&depth=49", "/api/statistics?grid=2", "/api/statistics", "/api/scene?x=1", "/?x=1"]:
+                     "/api/boxes?grid=11", "/api/boxes?grid=0&depth=-1", "/api/boxes?grid=0&depth=49", "/api/statistics?grid=11", "/api/statistics", "/api/scene?x=1", "/?x=1"]:
             self.assertEqual(status_of(self.server, path), 400, path)
         picked = {name: good[name] for name in ("from", "at", "up", "angle", "width", "height")} | dict(x="15", y="0")
         ray = dict(grid="0", origin="2,1,1", direction="-2,-1,-1", depth="5", all="0")
         for path, good, bad in [("/api/ray?", picked, dict(x=["16", "-1", "0.5", ""], y=["16"], width=["15"], up=["0,0,0"], grid=["0"])),
-                                ("/api/walk?", ray, dict(grid=["2"], origin=["0,0", "nan,0,0", "1e300,0,0"], depth=["0", "33"], all=["2", ""], x=["0"],
+                                ("/api/walk?", ray, dict(grid=["11"], origin=["0,0", "nan,0,0", "1e300,0,0"], depth=["0", "33"], all=["2", ""], x=["0"],
                                                          direction=["0,0,0", "0,0,inf", "1e-300,0,0", "1e30,0,0"]))]:
             self.assertEqual(status_of(self.server, path + query(good)), 200, path)
             for name in good:
@@ -293,6 +294,29 @@ class Hostile(unittest.TestCase):
             wait_until(lambda: server.is_idle(), "walks that nobody wants are given up")
             self.assertLess(server.peak_memory() - before, 200e6)
 
+    def test_divisions_that_many_ask_for_at_once_are_built_once(self):
+        with Gridview(tools, *scene, "-q") as server:
+            request = "GET /api/statistics?grid={} HTTP/1.1\r\nHost: localhost\r\n\r\n"
+            for _ in range(8):  # nobody waits for these
+                gone = connect(server)
+                gone.sendall(request.format(10).encode())
+                gone.close()
+            made = []
+
+            def ask(grid):
+                made.append((grid, json.loads(server.get(f"/api/statistics?grid={grid}"))))
+            threads = [threading.Thread(target=ask, args=[grid]) for grid in [*range(2, 11)] * 3]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            divisions = json.loads(server.get("/api/scene"))["divisions"]
+            for grid, one in made:
+                self.assertEqual(one["division"], [divisions[grid - 2]] * 3)
+            self.assertEqual(len({json.dumps(one) for _, one in made}), len(divisions), "each is built once: it says the same time")
+            wait_until(lambda: server.is_idle(), "all is done")
+            self.assertLess(server.peak_memory(), 1e9)
+
     def test_clients_that_do_not_read_do_not_block(self):
         request = f"GET {PICTURE.format(700, 700)} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
         deaf = []
@@ -364,6 +388,17 @@ class Hostile(unittest.TestCase):
             server.communicate()
             if taken:
                 taken.close()
+        # In colour where a person looks.
+        other, terminal = os.openpty()
+        with socket.create_server(("127.0.0.1", 8765)) if taken else contextlib.nullcontext():
+            server = subprocess.Popen([tools.bin / "gridview", *scene], cwd=tools.folder, stdout=subprocess.PIPE, stderr=terminal, text=True,
+                                      env={name: value for name, value in os.environ.items() if name != "NO_COLOR"})
+            server.stdout.readline()
+            self.assertRegex(os.read(other, 4096), rb"\033\[1;33mgridview: port 8765 is taken")
+            server.terminate()
+            server.communicate()
+        os.close(other)
+        os.close(terminal)
 
 
 if __name__ == "__main__":

@@ -64,6 +64,13 @@ def read_pfm(path):
     return width, height, rows[::-1]
 
 
+def cost(printed, a=1, b=1, step=None):
+    """a · tests + b · steps of a walk that gridtrace printed, up to a step; a node is the eight boxes that it tests."""
+    steps = printed["steps"][:None if step is None else step + 1]
+    per_step = 8 if steps and steps[0]["node"] else 1
+    return a * sum(len(one["tests"]) for one in steps) + b * per_step * len(steps)
+
+
 def channel_of(color):
     """Relative luminance's part of a channel (WCAG)."""
     value = color / 255
@@ -244,7 +251,7 @@ class Page(unittest.TestCase):
         """The counts of a picture, and the boxes of cells or nodes drawn in it, are those of a walk that gridtrace printed."""
         text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
         self.assertEqual(shown["counts"], f"{text(printed['cells'], what)}, {text(printed['tests'], 'test')}")
-        self.assertEqual(shown["table"], [str(printed["cells"]), str(printed["tests"])])
+        self.assertEqual(shown["table"], [str(printed["cells"]), str(printed["tests"]), str(cost(printed))])
         if cells_drawn:
             self.assertEqual(shown["boxes"], [step["box"] for step in printed["steps"]])
 
@@ -575,7 +582,7 @@ class Page(unittest.TestCase):
         shown = lambda: self.js("return planeView.plots.map((plot) => plot.counts.textContent)")
         self.assertEqual(shown(), alls)
         rows = self.js("return [...document.querySelectorAll('#walk > table tbody tr')].map((row) => [...row.cells].slice(1, 1 + planeView.grids.length).map((cell) => cell.textContent))")
-        self.assertEqual(rows, [[str(one["cells"]) for one in printed], [str(one["tests"]) for one in printed]])
+        self.assertEqual(rows, [[str(one["cells"]) for one in printed], [str(one["tests"]) for one in printed], [str(cost(one)) for one in printed]])
         last = max(len(one["steps"]) for one in printed) - 1
         for step in sorted({0, last // 2, max(0, last - 1)}):
             self.js("walkPanel.select(arguments[0])", step)
@@ -961,25 +968,44 @@ class Page(unittest.TestCase):
     def test_the_documents_page_shows_the_lessons_states(self):
         docs = pathlib.Path(__file__).resolve().parent.parent.parent / "docs"
         self.assertLess((docs / "plane.html").stat().st_size, 1_500_000)
-        links = re.findall(r"8765/(#view=plane[^)]*)", (docs / "lesson.md").read_text())
-        self.assertGreater(len(links), 3)
+        lesson = (docs / "lesson.md").read_text()
+        links = re.findall(r"plane\.html(#view=plane[^)]*)", lesson)
+        self.assertGreater(len(links), 5)
+        served = re.search(r"gridview teapot\.scene teapot-\{(.*)\}\.grid", lesson)[1].split(",")
+        divisions = json.loads(self.server.get("/api/scene"))["divisions"]
+        loaded = {*(f"teapot-{name}.grid" for name in served), *(f"division-{division}" for division in divisions)}
+        for grids in re.findall(r"8765/#grid=([^&]*)", lesson):  # of the server that the lesson starts
+            self.assertLessEqual({*grids.split(",")}, loaded)
         self.leave()
         address = (docs / "plane.html").as_uri()
         for width, link in [(1440, ""), *((1024, link) for link in links)]:
             self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
             self.browser.get("about:blank")
             self.browser.get(address + link)
+            wait_until(lambda: self.js("return state.plane && walkPanel.walks.size"), "walks")
+            self.assertEqual(self.js("return walkPanel.isAsking"), "guess=1" in link)
+            self.js("setGuess(false)")
             self.wait_plane()
             grids, ray, slice_ = self.js("return [state.plane.map((grid) => state.scene.grids[grid].name), walkPanel.ray, state.slice]")
             wanted = dict(part.split("=") for part in link[1:].split("&")) if link else {
-                "grid": "teapot-32.grid,teapot-balance.grid,teapot-irregular.grid,teapot-bvh.grid", "slice": "y,0.5", "ray": "-3.9,0,2.9,7.6,0,-1.4"}
+                "grid": "division-32,teapot-balance.grid,teapot-irregular.grid,teapot-bvh.grid", "slice": "y,0.5", "ray": "-3.9,0,2.9,7.6,0,-1.4"}
             self.assertEqual(",".join(grids), wanted["grid"])
             self.assertEqual([slice_["axis"], slice_["share"]], [1, float(wanted["slice"][2:])])
             for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted["ray"].split(","))):
                 self.assertAlmostEqual(a, b, delta=1e-4)
-            self.assertTrue(self.js("return planeView.plots.every((plot) => /^\\d+ (cell|node)s?, \\d+ tests?/.test(plot.counts.textContent))"))
+            self.assertTrue(self.js("return planeView.plots.every((plot) => /^[\\d\u2009]+ (cell|node)s?, [\\d\u2009]+ tests?/.test(plot.counts.textContent))"))
             self.assertFalse(self.find("#missing").is_displayed())
             self.assert_fits(width)
+        # Its slider has the lesson's answer: what one ray costs in four divisions.
+        self.browser.get("about:blank")
+        self.browser.get(address + next(link for link in links if "grid=division-8&" in link).replace("&guess=1", ""))
+        self.wait_plane()
+        costs = []
+        for grid in range(self.js("return state.scene.given"), self.js("return state.scene.grids.length")):
+            self.js("planeView.choose(0, arguments[0])", grid)
+            self.wait_plane()
+            costs.append(self.js("return planeView.plots[0].costText.textContent.split(' = ')[1]"))
+        self.assertIn(f"it costs {', '.join(costs)}.", lesson)
         self.assert_quiet(address)
 
     # --- Made in memory ---
@@ -1055,6 +1081,207 @@ class Page(unittest.TestCase):
             self.assertRegex(self.find("#walk p.of-pictures").text, r"^cell \d+: .*(nothing nearer can follow|leaves the grid)$")
             self.leave()
 
+    # --- Guess, cost and division ---
+
+    def wait_question(self):
+        wait_until(lambda: self.js("return walkPanel.isAsking && walkPanel.walks.size > 0 && document.querySelectorAll('.guess input').length > 0"), "a question")
+
+    def assert_hidden(self, printed):
+        """No count of the ray is on the page, or said."""
+        text = self.js("return [document.querySelector('#walk').textContent, document.querySelector('.unseen').textContent, ...[...document.querySelectorAll('.walk-counts, .walk-cost, .walk-sentence')].filter((e) => !e.hidden && !e.classList.contains('unused')).map((e) => e.textContent), "
+                       "...[...document.querySelectorAll('canvas.slice')].map((e) => e.getAttribute('aria-label'))].join(' ')")
+        self.assertNotRegex(text, r"\d+ (cells?|nodes?|tests?)\b(?! list)|cost")
+        self.assertEqual(self.js("return [walkPanel.lastStep, document.querySelectorAll('.walk-steps').length]"), [0, 0])
+
+    def test_what_a_ray_visits_is_shown_when_it_has_been_guessed(self):
+        names = [*scene[1:], tools.make_hierarchy(scene[0])]
+        with Gridview(tools, scene[0], *names, "-q") as server:
+            self.show(1280, 800, False, "#", server)
+            self.js("location.hash = arguments[0]", "#view=plane&slice=y,0.5&guess=1")
+            self.wait_question()
+            self.assertTrue(self.find("#guess").is_selected())
+            self.assertEqual(self.find(".guess p").text, "How many cells or nodes will this ray visit?")
+            printed = [self.printed(name) for name in names]
+            self.assert_hidden(printed)
+            self.screenshot("guess")
+            self.keys(",", ".")  # no step tells
+            self.assert_hidden(printed)
+            self.js("planeView.plots[0].canvas.focus()")
+            self.keys(Keys.ENTER)
+            self.assertEqual(self.js("return document.activeElement === document.querySelector('.guess input')"), True)
+            self.keys("1", "2", Keys.TAB, Keys.TAB, "7", Keys.ENTER)  # none of the second
+            self.wait_plane()
+            self.assertEqual(self.js("return document.activeElement.className"), "slice")
+            whats = ["cell", "cell", "node"]
+            guesses = ["; guessed 12", "", "; guessed 7"]
+            text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
+            self.assertEqual(self.js("return planeView.plots.map((plot) => plot.counts.textContent)"),
+                             [f"{text(one['cells'], what)}, {text(one['tests'], 'test')}{guess}" for one, what, guess in zip(printed, whats, guesses)])
+            self.assertEqual(self.js("return [...document.querySelector('#walk > table tbody').rows[1].cells].map((cell) => cell.textContent)")[:4], ["guessed", "12", "–", "7"])
+            self.assertEqual(self.find(".unseen").get_attribute("textContent"),
+                             ". ".join(f"{name.removesuffix('.grid').replace('_', '_' + chr(0x200b))}: {text(one['cells'], what)}{guess}" for name, one, what, guess in zip(names, printed, whats, guesses)))
+            self.screenshot("guessed")
+            # Another ray, another question; the address holds that there are any.
+            self.js("planeView.move('to', [-0.2, 0.1], null)")
+            self.wait_question()
+            self.assert_hidden(printed)
+            wait_until(lambda: "guess=1" in self.js("return location.hash"), "the address holds the question")
+            self.js("document.activeElement.blur()")
+            self.keys("q")
+            self.wait_plane()
+            self.assertEqual([self.find("#guess").is_selected(), self.find("#announcement").text], [False, "guess first: off"])
+            self.assert_walks_in_plane(names)
+            wait_until(lambda: "guess" not in self.js("return location.hash"), "the address, too")
+            # Of a pixel, in two pictures.
+            self.show(1280, 640, server=server, fragment=f"#grid={names[0]},{names[2]}&channel=shaded,shaded&guess=1&cells=ray,ray")
+            self.find(".stage").click()
+            self.wait_question()
+            wait_until(lambda: self.js("return document.activeElement === document.querySelector('.guess input')"), "where guesses are typed")
+            self.assert_hidden(None)
+            self.keys("3", Keys.ENTER)
+            self.wait_walk()
+            self.assertTrue(self.walk()[0]["counts"].endswith("tests; guessed 3") or self.walk()[0]["counts"].endswith("test; guessed 3"))
+            self.js("panes[1].set({grid: 1})")  # the same ray isn't asked about again
+            self.wait_walk()
+            self.assertFalse(self.js("return walkPanel.isAsking"))
+            self.leave()
+
+    def test_costs_are_weighted_counts_up_to_the_step(self):
+        choice = self.chance()
+        names = [*scene[1:], tools.make_hierarchy(scene[0])]
+        with Gridview(tools, scene[0], *names, "-q") as server:
+            self.show_plane(server, fragment="#view=plane&slice=y,0.5&cost=4,9.5")
+            self.assertEqual(self.js("return [document.querySelector('#cost-a').value, document.querySelector('#cost-b').value]"), ["4", "9.5"])
+            printed = [self.printed(name) for name in names]
+            shown = "return planeView.plots.map((plot) => plot.costText.textContent.replaceAll('\u2009', ''))"
+            for a, b in [(4, 9.5), (choice.randrange(1, 50), choice.randrange(0, 50))]:
+                for name, weight in [("a", a), ("b", b)]:
+                    self.js("const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('input'))", f"cost-{name}", weight)
+                for step in [0, 1, max(len(one["steps"]) for one in printed) - 1]:
+                    self.js("walkPanel.select(arguments[0])", step)
+                    for text, bars, one in zip(self.js(shown), self.js("return planeView.plots.map((plot) => [...plot.costBar.children].map((part) => parseFloat(part.style.width)))"), printed):
+                        wanted, tests, steps = cost(one, a, b, step), cost(one, 1, 0, step), cost(one, 0, 1, step)
+                        self.assertEqual(text.rsplit(" = ", 1)[0], f"cost {a} · {tests} + {b} · {steps}")
+                        self.assertAlmostEqual(float(text.rsplit(" = ", 1)[1]), wanted, delta=0.006 * wanted)
+                        most = max(cost(each, a, b) for each in printed)
+                        for part, width in zip([a * tests, b * steps], bars):
+                            self.assertAlmostEqual(width, 100 * part / most, delta=0.01)
+            wait_until(lambda: f"cost={a},{b}" in self.js("return location.hash"), "the address holds the weights")
+            self.screenshot("cost")
+            for wrong in ["cost=1", "cost=-1,2", "cost=1,x", "cost=1e9,1"]:
+                self.show_plane(server, fragment=f"#view=plane&{wrong}")
+                self.assertEqual(self.js("return state.cost"), [1, 1])
+            self.js("const e = document.getElementById('cost-a'); e.value = '-3'; e.dispatchEvent(new Event('input'))")
+            self.assertEqual(self.js("return state.cost"), [1, 1])
+            # Of a view: the mean of its rays.
+            self.show(1280, 640, server=server, fragment=f"#grid={names[0]},{names[2]}&cost=2,3")
+            wait_until(lambda: self.js("return panes.every((pane) => pane.counts)") and "cost per ray" in self.find("#cost").text, "costs of the view")
+            counts = self.js("return panes.map((pane) => pane.counts)")
+            rows = self.js("return [...document.querySelectorAll('#cost table tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))")
+            row = next(cells for cells in rows if cells[0] == "cost per ray")
+            for one, boxes, text in zip(counts, [1, 8], row[1:]):
+                rays = sum(one[f"{kind}_rays"] for kind in ("eye", "shadow", "reflection", "refraction"))
+                wanted = (2 * sum(one["intersection_tests"].values()) + 3 * boxes * one["cells_visited"]) / rays
+                self.assertAlmostEqual(float(text), wanted, delta=0.006 * wanted)
+            self.leave()
+
+    def test_a_slider_chooses_a_division_that_is_built_in_memory(self):
+        before = sorted(path.name for path in tools.folder.iterdir())
+        names = [scene[1], tools.make_hierarchy(scene[0])]
+        with Gridview(tools, scene[0], *names, "-q") as server:
+            self.show_plane(server, fragment="#view=plane&slice=y,0.5")
+            # Where no uniform grid was given, one of 32 voxels per axis is beside them.
+            self.assertEqual(self.js("return state.plane.map((grid) => state.scene.grids[grid].name)"), ["division-32", *names])
+            slider = self.find(".plots .division input")
+            self.assertEqual([slider.get_attribute("aria-valuetext"), self.find(".plots .division output").text], ["32", "32³"])
+            rows = self.js("return planeView.plots.map((plot) => plot.canvas.clientHeight)")
+            self.assertEqual(len(set(rows[:2])), 1, "slices beside each other have one height")
+            self.js("walkPanel.select(walkPanel.lastStep)")
+            seen = []
+            self.js("document.querySelector('.plots .division input').focus()")
+            for division in [24, 16, 12, 8, 12, 16, 24, 32, 48, 64, 96, 128]:
+                self.keys(Keys.ARROW_LEFT if len(seen) < 4 else Keys.ARROW_RIGHT)
+                self.wait_plane()
+                self.assertEqual(self.find(".plots .division output").text, f"{division}³")
+                seen.append(division)
+                if seen.count(division) > 1 or division in (12, 24, 48, 96):
+                    continue
+                # It is what gridbuild writes, by the command that the page copies.
+                (words,) = self.js("return state.scene.grids[state.plane[0]].made_by")
+                self.assertEqual(words[-4:], ["--merge", "none", "--division", str(division)])
+                tools.run(*words)
+                grid = self.js("return state.plane[0]")
+                served = json.loads(server.get(f"/api/statistics?grid={grid}"))
+                printed = json.loads(tools.run("gridstat", words[3], "--json", "--histogram"))
+                keep = lambda one: {key: value for key, value in one.items() if key not in ("commit", "build_seconds", "hash")}
+                self.assertEqual(keep(served), keep(printed))
+                self.assert_walks_in_plane([words[3], *names])
+                (tools.folder / words[3]).unlink()
+            wait_until(lambda: "grid=division-128," in self.js("return location.hash"), "the address holds the division")
+            fragment = self.js("return location.hash")
+            self.screenshot("division")
+            for width, height in [(400, 800), (1024, 768), (1920, 1080)]:
+                for asks in (False, True):
+                    self.show_plane(server, width, height, fragment=fragment)
+                    self.js("setGuess(arguments[0])", asks)
+                    self.assertEqual(self.find(".plots .division output").text, "128³")
+                    self.assertEqual(len(set(self.js("return planeView.plots.map((plot) => plot.canvas.clientHeight)"))), 1)
+                    self.assert_fits(width)
+                    self.screenshot(f"division-{width}-{asks}")
+            # Over the pictures, with the command that makes them; g goes through it, too.
+            self.show(1280, 640, server=server, fragment="#grid=division-8,division-64&channel=tests,tests")
+            self.assertEqual([text.text for text in self.browser.find_elements(By.CSS_SELECTOR, ".picture .division output")], ["8³", "64³"])
+            for step in self.js("return command()").split(" && "):
+                tools.run(*shlex.split(step), "-q")
+            width, height, rows = read_pfm(tools.folder / "picture-2.tests.pfm")
+            self.assertEqual(self.js("return Array.from(panes[1].picture.values.data, (value) => Number.isFinite(value) ? value : 1e38)"), [min(value, 1e38) for row in rows for value in row])
+            self.js("panes[0].stage.focus()")
+            order = []
+            for _ in range(4):
+                self.keys("g")
+                order.append(self.js("return state.scene.grids[state.panes[0].grid].name"))
+            self.assertEqual(order, [*names, "division-8", names[0]])
+            self.wait_sharp()
+            self.leave()
+        for name in sorted(path.name for path in tools.folder.iterdir()):
+            if "division" in name:
+                (tools.folder / name).unlink()
+
+    def test_an_exported_plane_has_four_divisions_guesses_and_costs(self):
+        tools.run("gridview", *scene, "--export", "divisions.html", "--views", "1", "--size", "64x48", "--boxes", "10", "--slices", "y,0.5", "x,0.25", "-q")
+        self.leave()
+        address = (tools.folder / "divisions.html").as_uri()
+        self.browser.get(f"{address}#view=plane&slice=y,0.5&grid=division-8,{scene[1]}")
+        self.wait_plane()
+        self.js("document.querySelector('.plots .division input').focus()")
+        for division in [8, 16, 32, 64]:
+            self.assertEqual(self.find(".plots .division output").text, f"{division}³")
+            tools.run("gridbuild", scene[0], "-o", "divided.grid", "--merge", "none", "--division", division)
+            self.assert_walks_in_plane(["divided.grid", scene[1]])
+            self.keys(Keys.ARROW_RIGHT)
+            self.wait_plane()
+        self.screenshot("exported-division")
+        self.drag(0, self.in_plane(0)[1], (40, 30))
+        self.assert_walks_in_plane(["divided.grid", scene[1]])
+        printed = [self.printed(grid) for grid in ("divided.grid", scene[1])]
+        self.js("location.hash = arguments[0]", self.js("return fragment()") + "&guess=1&cost=2,3")
+        self.wait_question()
+        self.assert_hidden(printed)
+        self.js("walkPanel.focusGuess()")
+        self.keys("9", Keys.ENTER)
+        self.wait_plane()
+        self.assertTrue(self.js("return planeView.plots[0].counts.textContent").endswith("; guessed 9"))
+        self.assertEqual([text.rsplit(" = ", 1)[1] for text in self.js("return planeView.plots.map((plot) => plot.costText.textContent)")], [str(cost(one, 2, 3)) for one in printed])
+        # There are no pictures through them.
+        self.assertNotIn("N³", self.js("document.getElementById('plane').click(); return panes[0].gridSelect.textContent"))
+        self.wait_sharp()
+        self.browser.get("about:blank")
+        self.browser.get(f"{address}#grid=division-8,{scene[1]}&channel=cells,tests")
+        self.wait_sharp()
+        self.assertIn("division-8, which isn’t loaded", self.find("#missing").text)
+        self.assertEqual(self.js("return state.panes"), [dict(grid=0, channel="tests", cells="none")])
+        self.assert_quiet(address)
+
     def test_an_exported_hierarchy(self):
         names = [tools.make_hierarchy(scene[0]), scene[1]]
         tools.run("gridview", scene[0], *names, "--export", "hierarchy.html", "--views", "1", "--size", "160x120", "-q")
@@ -1129,7 +1356,7 @@ class Page(unittest.TestCase):
             port = server.port
         with Gridview(tools, scene[0], scene[2], "-q", port=port) as server:
             self.js("setCamera(Camera.orbited(state.camera, 0.3, 0))")
-            wait_until(lambda: self.js("return typeof state !== 'undefined' && state.scene && state.scene.grids.map((grid) => grid.name)") == [scene[2]], "the page is loaded anew")
+            wait_until(lambda: self.js("return typeof state !== 'undefined' && state.scene && state.scene.grids.slice(0, state.scene.given).map((grid) => grid.name)") == [scene[2]], "the page is loaded anew")
             self.wait_sharp()
             self.assertIn(f"{scene[1]}, which isn’t loaded", self.find("#missing").text)
             with self.assertRaises(urllib.error.HTTPError) as refused:
@@ -1206,6 +1433,11 @@ class Page(unittest.TestCase):
             self.assertTrue(self.find("#keys-list").is_displayed(), control)
             self.keys(Keys.ESCAPE)
             self.assertFalse(self.find("#keys-list").is_displayed(), control)
+        self.js("document.getElementById('cost-a').select()")
+        self.keys("?")
+        self.assertTrue(self.find("#keys-list").is_displayed())
+        self.keys(Keys.ESCAPE, "1", ".", "5")  # numbers have a point
+        self.assertEqual(self.js("return [walkPanel.step, state.cost[0]]"), [last, 1.5])
         # Esc closes the list alone, not the walk.
         self.js("panes[0].stage.focus()")
         self.keys("?", Keys.ESCAPE)
@@ -1259,9 +1491,12 @@ class Page(unittest.TestCase):
 
     def test_pictures_that_are_compared_have_one_size_and_one_angle(self):
         for width in [1024, 1100, 1200, 1280, 1440]:
-            self.show(width, 640, fragment=f"#grid={scene[1]},{scene[2]}&channel=shaded,cells")
-            self.assertEqual(*self.js("return panes.map((pane) => [pane.stage.clientHeight, pane.frame.view.camera.angle])"))
-            self.assertEqual([status.text.split()[0] for status in self.browser.find_elements(By.CSS_SELECTOR, ".picture .status")], ["sharp"] * 2)
+            for grids in [f"{scene[1]},{scene[2]}", f"division-8,{scene[2]}"]:
+                self.show(width, 640, fragment=f"#grid={grids}&channel=shaded,cells")
+                self.assertEqual(*self.js("return panes.map((pane) => [pane.stage.clientHeight, pane.frame.view.camera.angle])"))
+                self.assertEqual([status.text.split()[0] for status in self.browser.find_elements(By.CSS_SELECTOR, ".picture .status")], ["sharp"] * 2)
+                self.assertTrue(self.js("""return panes.every(({status}) => { const range = document.createRange(); range.setStart(status.firstChild, 0); range.setEnd(status.firstChild, 5);
+                  return range.getBoundingClientRect().right < status.getBoundingClientRect().right - 12; })"""), "it isn't cut off")
 
     def test_many_boxes_are_drawn_once_and_cover_the_scene(self):
         tools.run("nffgen", "balls", "--size", "5", "-o", "many.nff")

@@ -75,7 +75,7 @@ Report report_of(const Scene& scene, const Vec3d& origin, Store store, const Flo
 template <class Stored>
 Report report_of(const SceneFile& file) {
   const SceneView<Stored> view = file.view<Stored>();
-  const SceneSpans<Stored> spans = spans_of(view);
+  const SceneSpans<Stored> spans = spans_of(view, file.lighting<Stored>());
   const fb::ObjectCounts& objects = *file.table().objects();
   Report report = report_of(spans, {view.materials, file.counts().materials});
   report.objects = {objects.polygons(), objects.patches(), objects.spheres(), objects.cones()};

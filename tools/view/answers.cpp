@@ -53,7 +53,7 @@ private:
 };
 
 std::size_t grid_of(const Viewer& viewer, Parameters& parameters) {
-  return parameters.number<std::size_t>("grid", 0, viewer.grids() - 1);
+  return parameters.number<std::size_t>("grid", 0, viewer.grids() + divisions.size() - 1);
 }
 
 Camera camera_of(const Viewer& viewer, Parameters& parameters) {

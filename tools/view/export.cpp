@@ -4,16 +4,17 @@
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
 #include "page_files.h"
-#include "renderer/image/deflate.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/vector_json.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <string_view>
 
 namespace masu {
@@ -22,6 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_slice_cells = 10000;
+constexpr std::array<std::int32_t, 4> exported_divisions{8, 16, 32, 64};
 constexpr std::array pixel_shares{1, 3, 5}; // sixths of a picture's side: where walks are picked
 constexpr double points_per_side = 12;      // of a single slice, between which rays are walked
 
@@ -44,16 +46,25 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
+// Smaller by a fifth than deflated() makes it, which is for pictures that somebody waits for.
 std::string deflated_text(std::string_view text) {
-  constexpr std::size_t piece = std::size_t{1} << 28;
-  std::string stream;
-  for (std::size_t at = 0; at < text.size(); at += piece) {
-    const std::string_view part = text.substr(at, piece);
-    const auto bytes = deflated({reinterpret_cast<const std::uint8_t*>(part.data()), part.size()},
-                                at + part.size() == text.size());
-    stream.append(bytes.begin(), bytes.end());
-  }
-  return stream;
+  uLongf size = compressBound(text.size());
+  std::string bytes(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                text.size(), Z_BEST_COMPRESSION) != Z_OK)
+    throw std::bad_alloc();
+  return bytes.substr(2, size - 6); // without the head and the sum of zlib's format
+}
+
+// Indices of Viewer: the grids that were given, and some divisions, which have no pictures.
+std::vector<std::size_t> exported_grids(const Viewer& viewer) {
+  std::vector<std::size_t> grids;
+  for (std::size_t grid = 0; grid < viewer.grids(); ++grid)
+    grids.push_back(grid);
+  for (std::size_t i = 0; i < divisions.size(); ++i)
+    if (std::ranges::find(exported_divisions, divisions[i]) != exported_divisions.end())
+      grids.push_back(viewer.grids() + i);
+  return grids;
 }
 
 // All pictures of a view: {channel: [one a grid]}, of channels that don't depend on the grid the first one's.
@@ -77,9 +88,10 @@ Json channels_json(const Viewer& viewer, PictureRequest request) {
 
 // A ray's walk through each grid: {hit, grids: [{cells, tests, ended, steps: [[place, tests, whether one of
 // them was kept], …]}]}; a place is a cell's voxels, [first, end], or {node, box}.
-Json walks_json(const Viewer& viewer, const Vec3d& origin, const Vec3d& direction, Precision precision) {
+Json walks_json(const Viewer& viewer, const std::vector<std::size_t>& grids, const Vec3d& origin,
+                const Vec3d& direction, Precision precision) {
   Json walks{{"hit", nullptr}, {"grids", Json::array()}};
-  for (std::size_t grid = 0; grid < viewer.grids(); ++grid) {
+  for (const std::size_t grid : grids) {
     const Json walk = viewer.walk({grid, origin, direction, false, 5, precision}, is_gone);
     const Json& ray = walk["rays"][0];
     Json steps = Json::array();
@@ -102,8 +114,8 @@ Json walks_json(const Viewer& viewer, const Vec3d& origin, const Vec3d& directio
 
 // Rays in the plane of a slice, from each point on its sides to those of the other sides; and those of `rays`
 // that lie there, which are taken away from them.
-Json plane_json(const Viewer& viewer, const Json& slice, std::size_t per_side,
-                std::vector<Ray<double>>& rays) {
+Json plane_json(const Viewer& viewer, const std::vector<std::size_t>& grids, const Json& slice,
+                std::size_t per_side, std::vector<Ray<double>>& rays) {
   const auto axis = slice["axis"].get<int>();
   const auto position = slice["position"].get<double>();
   std::vector<Vec3d> points;
@@ -138,7 +150,7 @@ Json plane_json(const Viewer& viewer, const Json& slice, std::size_t per_side,
   });
   Json json{{"axis", axis}, {"position", position}, {"points", points}, {"walks", Json::array()}};
   for (const auto& [from, to] : ends) {
-    Json walk = walks_json(viewer, points[from], points[to] - points[from], viewer.precision());
+    Json walk = walks_json(viewer, grids, points[from], points[to] - points[from], viewer.precision());
     walk["ends"] = {from, to};
     json["walks"].push_back(std::move(walk));
   }
@@ -149,7 +161,7 @@ std::int32_t picked_pixel(int share, std::int32_t side) {
   return static_cast<std::int32_t>(std::int64_t{share} * side / 6);
 }
 
-Json view_json(const Viewer& viewer, const Camera& camera) {
+Json view_json(const Viewer& viewer, const std::vector<std::size_t>& grids, const Camera& camera) {
   PictureRequest request;
   request.camera = camera;
   request.quality = {85, true};
@@ -160,7 +172,7 @@ Json view_json(const Viewer& viewer, const Camera& camera) {
     for (const int column : pixel_shares) {
       const auto [ray, precision] =
           viewer.camera_ray(camera, picked_pixel(column, camera.width), picked_pixel(row, camera.height));
-      Json walk = walks_json(viewer, ray.origin, ray.direction, precision);
+      Json walk = walks_json(viewer, grids, ray.origin, ray.direction, precision);
       walk.update({{"origin", ray.origin}, {"direction", ray.direction}});
       json["walks"].push_back(std::move(walk));
     }
@@ -181,23 +193,30 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
             {"size", {settings.width, settings.height}},
             {"points_per_side", per_side},
             {"opens_with", settings.opens_with}};
-  for (std::size_t grid = 0; grid < viewer.grids(); ++grid) {
+  data["scene"]["divisions"] = exported_divisions;
+  const std::vector<std::size_t> grids = exported_grids(viewer);
+  for (const std::size_t grid : grids) {
     data["statistics"].push_back(viewer.statistics(grid, is_gone));
-    const GridLayout finest = finest_layout(viewer.grid(grid).file); // in which voxels lie
+    const ViewedGrid& viewed = viewer.grid(grid, is_gone);
+    const GridLayout finest = finest_layout(viewed.file); // in which voxels lie
     data["layouts"].push_back({{"min", finest.space.min}, {"step", voxel_size(finest)}});
     Json slices = Json::array();
-    for (const SharePlane& plane : planes)
-      slices.push_back(viewer.slice({grid, plane, most_slice_cells}, is_gone));
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      Json slice = viewer.slice({grid, planes[i], most_slice_cells}, is_gone);
+      if (grid > 0 && slice["outline"] == data["slices"][0][i]["outline"])
+        slice.erase("outline"); // the first one's
+      slices.push_back(std::move(slice));
+    }
     data["slices"].push_back(std::move(slices));
     Json boxes = Json::array();
     boxes.push_back(viewer.boxes({grid, {}, most_boxes}, is_gone)); // of any depth, then of each
-    for (std::int32_t depth = 0; depth <= viewer.grid(grid).greatest_depth; ++depth)
+    for (std::int32_t depth = 0; depth <= viewed.greatest_depth; ++depth)
       boxes.push_back(viewer.boxes({grid, depth, most_boxes}, is_gone));
     data["boxes"].push_back(std::move(boxes));
   }
   std::vector<Ray<double>> rays = settings.rays;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    Json plane = plane_json(viewer, data["slices"][0][i], per_side, rays);
+    Json plane = plane_json(viewer, grids, data["slices"][0][i], per_side, rays);
     plane["share"] = planes[i].share;
     data["planes"].push_back(std::move(plane));
   }
@@ -209,7 +228,7 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
   }
   const std::vector<View> views = turntable(camera, settings.views);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    data["views"].push_back(view_json(viewer, views[i].camera));
+    data["views"].push_back(view_json(viewer, grids, views[i].camera));
     progress(static_cast<double>(i + 1) / static_cast<double>(views.size()));
   }
   data.update(provenance());

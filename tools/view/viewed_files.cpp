@@ -59,8 +59,7 @@ Scene standard_scene(const SpdInfo& info) {
 // which reads them in a process of their own.
 Scene read_mesh_scene(const std::string& path, const std::function<void(double)>& progress) {
   const std::filesystem::path parts(path);
-  std::string extension = parts.extension();
-  if (!extension.empty()) extension.erase(0, 1); // the dot
+  const std::string extension = extension_of(parts);
   const ImportOptions options{.progress = progress};
   const PrivateMemory contents = InputFile(path).contents();
   std::optional<MeshFormat> format = format_of_name(extension);

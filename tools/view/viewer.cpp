@@ -1,6 +1,7 @@
 #include "tools/view/viewer.h"
 
 #include "libgrid/statistics/slice.h"
+#include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/error.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/plane_cut.h"
@@ -154,7 +155,7 @@ std::string timing_of(const Picture& picture) {
 
 Viewer::Viewer(ViewedFiles files, Device device, Precision precision)
     : path_(std::move(files.path)), scene_(std::move(files.scene)), made_by_(std::move(files.made_by)),
-      precision_(precision) {
+      device_(device), precision_(precision) {
   for (ViewedStructure& structure : files.structures)
     grids_.push_back(std::make_unique<ViewedGrid>(std::move(structure), scene_, device));
 }
@@ -164,6 +165,21 @@ std::string Viewer::files() const {
   for (const auto& grid : grids_)
     all += file_name(grid->path) + to_hex(grid->file.hash());
   return to_hex(hash_of({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()}));
+}
+
+ViewedGrid* Viewer::viewed(std::size_t index, const IsGone& is_gone) const {
+  if (index < grids_.size()) return grids_[index].get();
+  const std::size_t stop = index - grids_.size();
+  const std::lock_guard lock(building_);
+  std::unique_ptr<ViewedGrid>& grid = divided_.at(stop);
+  if (grid == nullptr) {
+    BuildOptions options;
+    options.structure.kind = StructureKind::uniform;
+    options.division = parse_division(std::to_string(divisions[stop]));
+    StructureFile file = built_in_memory(scene_, options, abandoned_when(is_gone));
+    grid = std::make_unique<ViewedGrid>(ViewedStructure{"", std::move(file)}, scene_, device_);
+  }
+  return grid.get();
 }
 
 FrameRequest Viewer::frame_request(const PictureRequest& request) const {
@@ -179,12 +195,13 @@ FrameRequest Viewer::frame_request(const PictureRequest& request) const {
 Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) const {
   FrameRequest frame_request = this->frame_request(request);
   frame_request.progress = abandoned_when(is_gone);
-  const ResidentTracer& tracer = grid(request.grid).tracer;
   Picture picture;
   const Stopwatch wait;
   // What was traced takes more memory than its bytes: it ends with its turn.
   const PictureRows rows = turns_.run(is_gone, [&] {
     picture.seconds.wait = wait.seconds();
+    const ViewedGrid& viewed = grid(request.grid, is_gone);
+    const ResidentTracer& tracer = viewed.tracer;
     if (precision_ == Precision::automatic) {
       const ViewPrecision chosen = view_precision(tracer, frame_request);
       frame_request.tracing.precision = chosen.precision;
@@ -193,7 +210,7 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
       picture.precision = name_of(precision_);
     }
     if (request.channel.is_cut)
-      return cut(tracer, plane_of(grid(request.grid).file, request.cut), frame_request, picture);
+      return cut(tracer, plane_of(viewed.file, request.cut), frame_request, picture);
     return request.channel.channel ? channel(tracer, request, frame_request, picture)
                                    : shaded(tracer, frame_request, picture);
   });
@@ -207,7 +224,8 @@ Json Viewer::counts(const PictureRequest& request, const IsGone& is_gone) const 
   FrameRequest frame_request = this->frame_request(request);
   frame_request.tracing.count = true;
   frame_request.progress = abandoned_when(is_gone);
-  const Frame frame = turns_.run(is_gone, [&] { return grid(request.grid).tracer.render(frame_request); });
+  const Frame frame =
+      turns_.run(is_gone, [&] { return grid(request.grid, is_gone).tracer.render(frame_request); });
   Json json = counts_report(frame.counts);
   json["trace_seconds"] = frame.seconds.trace;
   return json;
@@ -218,7 +236,7 @@ Viewer::PickedRay Viewer::camera_ray(const Camera& camera, std::int32_t column, 
   frame.tracing.precision = precision_;
   frame.camera = camera;
   frame.sampling = Sampling::centers;
-  WalkRequest walk = camera_walk(grid(0).tracer, frame, column, row);
+  WalkRequest walk = camera_walk(grids_[0]->tracer, frame, column, row);
   walk.ray.origin = walk.ray.origin + scene_.origin();
   return {walk.ray, walk.tracing.precision};
 }
@@ -232,7 +250,7 @@ Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
   walk.limits = {1000, std::size_t{4} << 20, 10'000'000}; // as JSON some ten times as many bytes
   walk.progress = [progress = abandoned_when(is_gone)] { progress(0); };
   return walk_turns_.run(is_gone, [&] {
-    const WalkReport report = trace_walk(grid(request.grid).tracer, walk);
+    const WalkReport report = trace_walk(grid(request.grid, is_gone).tracer, walk);
     Json json = walk_json(report);
     for (const WalkRay& ray : report.rays)
       json["ended"].push_back(description_of(ray));
@@ -243,27 +261,27 @@ Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
 }
 
 Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
-  const StructureFile& file = grid(request.grid).file;
-  const GridLayout finest = finest_layout(file);
-  const int axis = request.plane.axis;
-  const auto [u, v] = slice_axes(axis);
-  const SlicePlane plane = plane_of(file, request.plane);
-  const SliceWindow window = window_of(finest, axis);
-  const Vec3d step = voxel_size(finest);
-  Json json{{"axis", axis},
-            {"axes", {u, v}},
-            {"position", plane.position},
-            {"range", {finest.space.min[axis], finest.space.max[axis]}},
-            {"voxels", {finest.division[u], finest.division[v]}},
-            {"min", window.min},
-            {"step", {step[u], step[v]}}};
-  constexpr std::uint64_t most_in_layer = 1 << 16; // of which empty cells are listed
-  const auto in_layer =
-      static_cast<std::uint64_t>(finest.division[u]) * static_cast<std::uint64_t>(finest.division[v]);
-  const bool without_empty = !file.is_hierarchy() && !file.is_merged() &&
-                             in_layer > std::min<std::uint64_t>(request.most_cells, most_in_layer);
-  constexpr std::size_t most_lines = 200000;
   return turns_.run(is_gone, [&] {
+    const StructureFile& file = grid(request.grid, is_gone).file;
+    const GridLayout finest = finest_layout(file);
+    const int axis = request.plane.axis;
+    const auto [u, v] = slice_axes(axis);
+    const SlicePlane plane = plane_of(file, request.plane);
+    const SliceWindow window = window_of(finest, axis);
+    const Vec3d step = voxel_size(finest);
+    Json json{{"axis", axis},
+              {"axes", {u, v}},
+              {"position", plane.position},
+              {"range", {finest.space.min[axis], finest.space.max[axis]}},
+              {"voxels", {finest.division[u], finest.division[v]}},
+              {"min", window.min},
+              {"step", {step[u], step[v]}}};
+    constexpr std::uint64_t most_in_layer = 1 << 16; // of which empty cells are listed
+    const auto in_layer =
+        static_cast<std::uint64_t>(finest.division[u]) * static_cast<std::uint64_t>(finest.division[v]);
+    const bool without_empty = !file.is_hierarchy() && !file.is_merged() &&
+                               in_layer > std::min<std::uint64_t>(request.most_cells, most_in_layer);
+    constexpr std::size_t most_lines = 200000;
     SliceCellsJson made = slice_cells_json(file, plane, window, request.most_cells, without_empty);
     json["cells"] = std::move(made.cells);
     json["truncated"] = made.is_truncated;
@@ -276,23 +294,24 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
 }
 
 Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
-  const StructureFile& file = grid(request.grid).file;
-  const auto for_each = [&](std::optional<std::int32_t> depth, const auto& act) {
-    for_each_box(file, {{}, !depth || !file.is_hierarchy(), {}}, [&](const StructureBox& found) {
-      if (!depth || (found.references > 0 ? found.depth <= *depth : found.depth == *depth)) act(found);
-    });
-  };
-  const auto count_of = [&](std::optional<std::int32_t> depth) {
-    std::size_t count = 0;
-    for_each(depth, [&](const StructureBox&) { ++count; });
-    return count;
-  };
   return turns_.run(is_gone, [&] {
+    const ViewedGrid& viewed = grid(request.grid, is_gone);
+    const StructureFile& file = viewed.file;
+    const auto for_each = [&](std::optional<std::int32_t> depth, const auto& act) {
+      for_each_box(file, {{}, !depth || !file.is_hierarchy(), {}}, [&](const StructureBox& found) {
+        if (!depth || (found.references > 0 ? found.depth <= *depth : found.depth == *depth)) act(found);
+      });
+    };
+    const auto count_of = [&](std::optional<std::int32_t> depth) {
+      std::size_t count = 0;
+      for_each(depth, [&](const StructureBox&) { ++count; });
+      return count;
+    };
     std::optional<std::int32_t> depth = request.depth;
     const std::size_t count = count_of(depth);
     std::size_t fitting = count;
     if (!depth && file.is_hierarchy()) {
-      for (std::int32_t next = grid(request.grid).greatest_depth; fitting > request.most && next > 0;)
+      for (std::int32_t next = viewed.greatest_depth; fitting > request.most && next > 0;)
         fitting = count_of(depth = --next);
     }
     const std::size_t step = std::max<std::size_t>(1, (fitting + request.most - 1) / request.most);
@@ -332,6 +351,7 @@ Json Viewer::description() const {
               {"bounds", in_world(scene_.origin(), scene_.bounds())}}},
             {"camera", camera_json(scene_.camera())},
             {"grids", grids},
+            {"divisions", divisions},
             {"channels", picture_channel_names()},
             {"colors", samples_of(ColorMap())},
             {"list_colors", samples_of(ColorMap::of_lists())},
@@ -344,8 +364,8 @@ Json Viewer::description() const {
 }
 
 Json Viewer::statistics(std::size_t grid, const IsGone& is_gone) const {
-  ViewedGrid& viewed = *grids_.at(grid);
   return turns_.run(is_gone, [&] { // one at a time
+    ViewedGrid& viewed = *this->viewed(grid, is_gone);
     if (viewed.statistics.is_null()) viewed.statistics = structure_report(viewed.file, true);
     return viewed.statistics;
   });

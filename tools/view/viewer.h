@@ -12,8 +12,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +36,13 @@ struct ViewedGrid {
         tracer(scene, &file, device), greatest_depth(masu::greatest_depth(file)) {}
 };
 
+// Voxels an axis of uniform grids that anybody may ask for. Each is built in memory when it is first asked
+// for, and kept: so few that all may be.
+inline constexpr std::array<std::int32_t, 9> divisions{8, 12, 16, 24, 32, 48, 64, 96, 128};
+
 inline constexpr std::int64_t most_pixels = std::int64_t{1} << 23; // of a picture
+
+using IsGone = std::function<bool()>;
 
 // A plane perpendicular to `axis` (0 to 2), at a share of the grid's space.
 struct SharePlane {
@@ -93,8 +101,6 @@ struct RayWalkRequest {
   Precision precision = Precision::automatic; // its picture's
 };
 
-using IsGone = std::function<bool()>;
-
 // Threads may ask at the same time.
 class Viewer {
 public:
@@ -102,8 +108,10 @@ public:
   Viewer(ViewedFiles files, Device device, Precision precision);
 
   const SceneFile& scene() const { return scene_; }
-  const ViewedGrid& grid(std::size_t index) const { return *grids_.at(index); }
-  std::size_t grids() const { return grids_.size(); }
+  // Those that were given, and behind them those of `divisions`, one of which may be built by the call:
+  // Abandoned where is_gone() meanwhile, and Error.
+  const ViewedGrid& grid(std::size_t index, const IsGone& is_gone) const { return *viewed(index, is_gone); }
+  std::size_t grids() const { return grids_.size(); } // given ones
   Precision precision() const { return precision_; }
   // A hash of the names and contents of the scene and its grids, which requests name by index.
   std::string files() const;
@@ -132,18 +140,22 @@ public:
   // more than `most`, of any depth those down to the deepest that fits, or each n-th of `count`.
   nlohmann::ordered_json boxes(const BoxesRequest& request, const IsGone& is_gone) const;
 
-  // The scene, its camera, and its grids by name.
+  // The scene, its camera, its grids by name, and the divisions that there are besides.
   nlohmann::ordered_json description() const;
   // gridstat --json --histogram of a grid. Made once.
   nlohmann::ordered_json statistics(std::size_t grid, const IsGone& is_gone) const;
 
 private:
   FrameRequest frame_request(const PictureRequest& request) const;
+  ViewedGrid* viewed(std::size_t index, const IsGone& is_gone) const;
 
   std::string path_;
   SceneFile scene_;
   Commands made_by_; // of the scene
   std::vector<std::unique_ptr<ViewedGrid>> grids_;
+  mutable std::array<std::unique_ptr<ViewedGrid>, divisions.size()> divided_; // null: not built yet
+  mutable std::mutex building_;
+  Device device_;
   Precision precision_;
   mutable Turns turns_{32};
   mutable Turns walk_turns_{16}; // of their own, for a walk takes one core: pictures don't wait for it

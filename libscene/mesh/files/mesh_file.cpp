@@ -36,6 +36,11 @@ void add_face(MeshFile& file, std::span<const std::uint32_t> corners) {
   file.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
 }
 
+std::string extension_of(const std::filesystem::path& path) {
+  const std::string extension = path.extension();
+  return extension.empty() ? extension : extension.substr(1);
+}
+
 std::optional<MeshFormat> format_of_name(const std::string& extension) {
   constexpr std::array names{"obj", "ply", "off", "stl"};
   const auto found = std::ranges::find(names, lower_case(extension));

@@ -11,6 +11,7 @@
 #include "libscene/scene.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -72,7 +73,9 @@ void add_face(MeshFile& file, std::span<const std::uint32_t> corners);
 
 enum class MeshFormat { obj, ply, off, stl };
 
-// The format of that ending of a file's name (without a dot), or of what a file of another name begins with.
+// The ending of a file's name, without its dot; the format of that ending, or of what a file of another name
+// begins with.
+std::string extension_of(const std::filesystem::path& path);
 std::optional<MeshFormat> format_of_name(const std::string& extension);
 std::optional<MeshFormat> format_of_content(std::string_view file);
 

@@ -242,8 +242,7 @@ std::optional<MeshFile> parsed_mesh(std::span<const std::uint8_t> bytes, const s
 
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
   const std::filesystem::path parts(path);
-  std::string extension = parts.extension();
-  if (!extension.empty()) extension.erase(0, 1); // the dot
+  const std::string extension = extension_of(parts);
   if (options.opened) options.opened(path);
   const std::optional<MeshFile> mesh =
       parsed_mesh(InputFile(path).contents().bytes(), extension, parts.parent_path(), path, options);

@@ -121,21 +121,22 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Structure
 // --- Glass ----------------------------------------------------------------------------------------------
 
 template <class TestRay, class Stored>
-Tally judged_glass(SceneView<Stored> scene, const std::vector<Structure>& grids, const Trial<Stored>& trial) {
+Tally judged_glass(const SceneView<Stored>& scene, const std::vector<Structure>& grids,
+                   const Trial<Stored>& trial) {
   using Real = typename TestRay::Real;
   using M = Method<TestRay, with_all_kinds>;
-  scene.background = {1, 1, 1};
+  const Lighting<Stored> lighting{nullptr, 0, {1, 1, 1}, 0};
   const RenderRules rules{trial.depth, false, HitName::primitive};
   return tallied(trial.rays.size(), [&](std::size_t i, Tally& tally) {
     const Ray<Real> ray = unit_ray<Real>(trial.rays[i]);
     NoCounts counts;
     HitRecord first{};
-    const Vec3f light = radiance<M>(scene, NoStructure{}, rules, ray, first, counts);
+    const Vec3f light = radiance<M>(scene, lighting, NoStructure{}, rules, ray, first, counts);
     bool good = true, same = true;
     for (const float channel : {light.x, light.y, light.z})
       good = good && channel >= 0 && channel <= 1 + 1e-5F; // nor NaN
     const auto compare = [&](const auto& view) {
-      const Vec3f other = radiance<M>(scene, view, rules, ray, first, counts);
+      const Vec3f other = radiance<M>(scene, lighting, view, rules, ray, first, counts);
       same = same && same_bits(other, light);
     };
     for (const Structure& grid : grids)

@@ -1,6 +1,6 @@
 # gnuplot -e "data='FILE.csv'; out='FILE.png'" style.gp peers.gp: Masu's rate over each peer's, a panel for each kind of
 # rays and a line for each scene and what was built of it.
-# Columns: kind, line from below, scene, over CWBVH, over OptiX, over hagrid.
+# Columns: kind, line from below, scene, over CWBVH, over cuBQL, over OptiX, over hagrid.
 
 eval begin
 eval terminal('png', 1100, 430)
@@ -35,6 +35,8 @@ do for [i = 1:3] {
          with points pt 7 ps 1.7 lc rgb '#9a9a9a' title 'OptiX 9.0, software', \
        data using (is_kind(0) ? column('hagrid') : NaN):(column('line')) \
          with points pt 8 ps 1.8 lw 1.6 lc rgb '#0072b2' title 'hagrid’s best', \
+       data using (is_kind(0) ? column('cubql') : NaN):(column('line')) \
+         with points pt 9 ps 1.6 lc rgb '#d55e00' title 'cuBQL’s best', \
        data using (is_kind(0) ? column('cwbvh') : NaN):(column('line')) \
          with points pt 5 ps 1.2 lc rgb 'black' title 'CWBVH with Masu’s test'
 }

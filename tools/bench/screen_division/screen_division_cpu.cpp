@@ -15,9 +15,9 @@ namespace {
 using M = Method<WatertightRay<float>, with_all_kinds>;
 
 template <class Structure>
-void render_tiles(const SceneView<float>& scene, const Structure& grid, const FrameRequest& request,
-                  const CameraRays<float>& rays, ScreenDivision division, std::uint32_t worker,
-                  std::atomic<std::uint32_t>& fetched, DividedFrame& divided) {
+void render_tiles(const SceneView<float>& scene, const Lighting<float>& lighting, const Structure& grid,
+                  const FrameRequest& request, const CameraRays<float>& rays, ScreenDivision division,
+                  std::uint32_t worker, std::atomic<std::uint32_t>& fetched, DividedFrame& divided) {
   Frame& frame = divided.frame;
   const Tiles tiles = tiles_of(frame.columns, frame.rows);
   const TileRun run = run_of(division, worker, divided.workers, tiles.count);
@@ -32,7 +32,7 @@ void render_tiles(const SceneView<float>& scene, const Structure& grid, const Fr
         HitRecord hit{};
         frame.radiance[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.columns) +
                        static_cast<std::size_t>(x)] =
-            radiance<M>(scene, grid, request.rules, camera_ray(rays, x, y), hit, counts);
+            radiance<M>(scene, lighting, grid, request.rules, camera_ray(rays, x, y), hit, counts);
       }
     }
   }
@@ -50,6 +50,7 @@ DividedFrame render_divided_cpu(const SceneFile& scene, const StructureFile& gri
   const auto rays =
       camera_rays<float>(relative_to(scene.origin(), request.camera), request.sampling, request.hither);
   const auto view = scene.view<float>();
+  const auto lighting = scene.lighting<float>();
   const auto render = [&](const auto& accelerator) {
     std::atomic<std::uint32_t> fetched{0};
     const Stopwatch watch;
@@ -57,7 +58,7 @@ DividedFrame render_divided_cpu(const SceneFile& scene, const StructureFile& gri
         tbb::blocked_range<std::uint32_t>(0, divided.workers),
         [&](const auto& range) {
           for (std::uint32_t worker = range.begin(); worker != range.end(); ++worker)
-            render_tiles(view, accelerator, request, rays, division, worker, fetched, divided);
+            render_tiles(view, lighting, accelerator, request, rays, division, worker, fetched, divided);
         },
         tbb::static_partitioner());
     divided.frame.seconds.trace = watch.seconds();

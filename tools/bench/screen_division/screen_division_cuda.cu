@@ -22,9 +22,9 @@ __device__ std::uint32_t next_tile_of_block(TileRun& left, std::uint32_t* const 
 template <class Structure>
 __global__ void __launch_bounds__(division_tile_side* division_tile_side,
                                   resident_threads_wanted<M> / (division_tile_side * division_tile_side))
-    divided_kernel(const SceneView<float> scene, const Structure grid, const CameraRays<float> rays,
-                   const RenderRules rules, const Tiles tiles, const ScreenDivision division,
-                   std::uint32_t* const next_tile, Vec3f* const colors) {
+    divided_kernel(const SceneView<float> scene, const Lighting<float> lighting, const Structure grid,
+                   const CameraRays<float> rays, const RenderRules rules, const Tiles tiles,
+                   const ScreenDivision division, std::uint32_t* const next_tile, Vec3f* const colors) {
   __shared__ TileRun left;
   if (threadIdx.x == 0 && threadIdx.y == 0) left = run_of(division, blockIdx.x, gridDim.x, tiles.count);
   NoCounts counts;
@@ -36,7 +36,7 @@ __global__ void __launch_bounds__(division_tile_side* division_tile_side,
     HitRecord hit{};
     colors[static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
            static_cast<std::size_t>(column)] =
-        radiance<M>(scene, grid, rules, camera_ray(rays, column, row), hit, counts);
+        radiance<M>(scene, lighting, grid, rules, camera_ray(rays, column, row), hit, counts);
   }
 }
 
@@ -64,7 +64,7 @@ DividedFrame render_divided_cuda(const SceneFile& scene, const StructureFile& gr
     frame.kernel = load(kernel);
     frame.seconds.trace = timed(nullptr, [&] {
       launch(kernel, divided.workers, dim3(division_tile_side, division_tile_side), nullptr, files.scene.view,
-             view, rays, request.rules, tiles, division,
+             files.scene.lighting, view, rays, request.rules, tiles, division,
              division == ScreenDivision::persistent ? next_tile.data() : nullptr, colors.data());
     });
   };

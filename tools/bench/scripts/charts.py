@@ -2,7 +2,7 @@
 """Draws the charts of docs/ from the tables and rows that are there (gnuplot).
 
 charts.py DOCS GRIDBENCH               tradeoff/*/ of their tradeoff.csv, accuracy/*.png of the .csv beside them, peers.png
-                                       of a table of performance.md, lesson/tradeoff.png of one of lesson.md
+                                       and answer-*.png of tables of performance.md, lesson/tradeoff.png of one of lesson.md
 charts.py DOCS GRIDBENCH RESULTS.json  the same, with the rows of accuracy/ from what accuracy.sh measured
 """
 import csv
@@ -18,7 +18,7 @@ from accuracy_tables import failed, has_embree, picture_rows, sweep_rows
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "charts"
 KINDS = "primary", "diffuse", "random"
-PEERS = {"cwbvh": 4, "optix": 5, "hagrid": 7}  # columns of performance.md's table
+PEERS = {"cwbvh": 4, "cubql": 5, "optix": 6, "hagrid": 8}  # columns of performance.md's table
 LESSON = {"teapot": 4, "balls": 7}             # columns of tests, cells and nanoseconds per ray in lesson.md's table
 ACCURACY = {  # title, share that is drawn as none
     "sweeps": ("Wrong hits: missed, false, wrong, misplaced or by grid, share of rays", 1e-7),
@@ -86,6 +86,24 @@ def draw_peers(docs):
         plot("peers", docs, data=data.name, out="peers.png")
 
 
+def draw_answer(docs):
+    """A chart for each processor: preparing, then rays at their rate."""
+    points = {}
+    for what, *cells in table(docs / "performance.md", "| triangles, on | Masu |"):
+        triangles, processor = what.split(", ")
+        panels = points.setdefault(processor, [])
+        panel = panels[-1][0] + 1 if panels else 1
+        for line, cell in enumerate(cells[:-1], 1):
+            if cell != "-":
+                prepare, rate = (float(n) for n in cell.split(", "))
+                panels.extend([panel, triangles.replace(",", ""), line, 10**(k / 4), prepare * 1e-3 + 10**(k / 4) / rate * 1e-6]
+                              for k in range(12, 37))
+    for processor, rows in points.items():
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as data:
+            write_rows(data, ["panel", "triangles", "line", "rays", "seconds"], rows)
+            plot("answer", docs, data=data.name, machine=processor, out=f"answer-{'cpu' if 'cores' in processor else 'gpu'}.png")
+
+
 def draw_lesson(docs):
     rows = table(docs / "lesson.md", "| voxels per axis |")
     with tempfile.TemporaryDirectory() as folder:
@@ -103,6 +121,7 @@ def main():
         write_accuracy(json.loads(pathlib.Path(sys.argv[3]).read_text()), docs / "accuracy")
     draw_accuracy(docs / "accuracy")
     draw_peers(docs)
+    draw_answer(docs)
     draw_lesson(docs)
     for rows in sorted(docs.glob("tradeoff/*/tradeoff.csv")):
         subprocess.run([gridbench, "tradeoff", "--charts-only", "-o", rows.parent], check=True)

@@ -2,11 +2,19 @@
 
 library.py rates SCENE GRID PREFIX       million rays per second of queries of the sets that gridbench rays saved
 library.py arrays TRIANGLES cuda|cpu     milliseconds from arrays to the first hit, and of an update to moved vertices
+library.py answer TRIANGLES cuda|cpu     of each tracer milliseconds to prepare, with its first thousand rays, and million random
+                                         rays per second; on a CPU beside Embree 3 where it is installed, on a GPU with
+                                         the bytes per triangle that are taken from it
 """
+import concurrent.futures
+import ctypes
 import json
+import os
 import statistics
 import sys
+import threading
 import time
+from ctypes import c_size_t, c_void_p
 
 import masu
 import numpy as np
@@ -98,8 +106,113 @@ def arrays(triangles, device):
     return {"triangles": len(faces), "runs_ms": runs, "update_ms": updates}
 
 
+class Embree:
+    """Embree 3 by its C interface: triangles, robust; lists of rays, by a thread a core."""
+    RECORD = np.dtype([("origin", "f4", 3), ("tmin", "f4"), ("direction", "f4", 3), ("time", "f4"), ("t", "f4"),
+                       ("mask", "u4"), ("id", "u4"), ("flags", "u4"), ("normal", "f4", 3), ("uv", "f4", 2),
+                       ("primitive", "u4"), ("geometry", "u4"), ("instance", "u4")])
+
+    def __init__(self, vertices, faces, quality):
+        self.embree = embree = ctypes.CDLL("libembree3.so.3")
+        made = lambda create, *arguments: (setattr(create, "restype", c_void_p), c_void_p(create(*arguments)))[1]
+        self.device = made(embree.rtcNewDevice, None)
+        self.scene = made(embree.rtcNewScene, self.device)
+        embree.rtcSetSceneFlags(self.scene, 4)  # RTC_SCENE_FLAG_ROBUST
+        embree.rtcSetSceneBuildQuality(self.scene, ("low", "medium", "high").index(quality))
+        geometry = made(embree.rtcNewGeometry, self.device, 0)
+        self.kept = faces, np.append(vertices, np.zeros((1, 3), np.float32), 0)  # read 16 bytes at a time
+        for kind, layout, rows in (0, 0x5003, len(faces)), (1, 0x9003, len(vertices)):  # indices; vertices
+            embree.rtcSetSharedGeometryBuffer(geometry, kind, 0, layout, c_void_p(self.kept[kind].ctypes.data),
+                                              c_size_t(0), c_size_t(12), c_size_t(rows))
+        embree.rtcCommitGeometry(geometry)
+        embree.rtcAttachGeometry(self.scene, geometry)
+        embree.rtcReleaseGeometry(geometry)
+        embree.rtcCommitScene(self.scene)
+        self.threads = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
+
+    def __del__(self):
+        self.embree.rtcReleaseScene(self.scene)
+        self.embree.rtcReleaseDevice(self.device)
+
+    def packed(self, rays):
+        records = np.zeros(len(rays), self.RECORD)
+        records["origin"], records["direction"] = rays[:, :3], rays[:, 3:]
+        records["t"], records["mask"], records["geometry"] = np.inf, 0xffffffff, 0xffffffff
+        return records
+
+    def trace(self, records):
+        def part(rays):
+            context = (ctypes.c_uint32 * 16)(0, 0, 0, 0, 0xffffffff)  # in no instance
+            self.embree.rtcIntersect1M(self.scene, context, c_void_p(rays.ctypes.data), len(rays), c_size_t(rays.itemsize))
+        list(self.threads.map(part, np.array_split(records, max(1, len(records) // 4096))))
+        return records["t"]
+
+
+class Masu:
+    def __init__(self, vertices, faces, device, quality=None):
+        self.device, scene = device, masu.Scene(vertices, faces)
+        grid = scene.build(structure="bvh", quality=quality) if quality else None
+        self.tracer = masu.Tracer(scene, grid, device)
+
+    def packed(self, rays):
+        if self.device == "cpu":
+            return rays
+        import torch
+        return torch.from_numpy(rays).cuda()
+
+    def trace(self, rays):
+        return self.tracer.nearest(rays)["t_hit"]
+
+
+def bytes_taken(vertices, faces):
+    """Of a GPU's memory by a tracer through a hierarchy, per triangle: while it is made at most, and then."""
+    import torch
+    scene = masu.Scene(vertices, faces)
+    grid = scene.build(structure="bvh", quality="fast", device="cuda")
+    free = lambda: torch.cuda.mem_get_info()[0]
+    before, seen, done = free(), [], threading.Event()
+    watch = threading.Thread(target=lambda: [seen.append(free()) for _ in iter(lambda: done.wait(2e-4), True)])
+    watch.start()
+    tracer = masu.Tracer(scene, grid, "cuda")
+    done.set()
+    watch.join()
+    return {"most": (before - min(seen + [free()])) / len(faces), "held": (before - free()) / len(faces)}
+
+
+def answer(triangles, device):
+    vertices, faces = waves(int(triangles))
+    ends = np.random.default_rng(1).uniform((0, 0, -0.1), (1, 1, 0.1), (2, 1 << (20 if device == "cpu" else 22), 3))
+    rays = np.concatenate([ends[0], ends[1] - ends[0]], 1).astype(np.float32)
+    makers = {"Masu": lambda: Masu(vertices, faces, device), "Masu, `high`": lambda: Masu(vertices, faces, device, "high")}
+    if device == "cpu":
+        makers |= {"Embree, medium": lambda: Embree(vertices, faces, "medium"),
+                   "Embree, high": lambda: Embree(vertices, faces, "high")}
+    found, hits = {}, set()
+    for name, make in makers.items():
+        prepared, seconds, tracer = [], [], None
+        try:
+            for repeat in range(5):  # the first one on a GPU creates its context
+                tracer = None
+                begin = time.perf_counter()
+                tracer = make()
+                tracer.trace(tracer.packed(rays[:1000]))
+                prepared.append(time.perf_counter() - begin)
+        except OSError:
+            continue  # isn't installed
+        for repeat in range(1 if device == "cuda" else 7):
+            packed = tracer.packed(rays)
+            begin = time.perf_counter()
+            t = tracer.trace(packed)
+            seconds.append(seconds_on_gpu(lambda: tracer.trace(packed)) if device == "cuda" else time.perf_counter() - begin)
+        hits.add(int(np.isfinite(np.asarray(t.cpu() if device == "cuda" else t)).sum()))
+        found[name] = {"prepare_ms": 1e3 * statistics.median(prepared[1:]), "mrays": len(rays) / 1e6 / statistics.median(seconds)}
+    assert max(hits) - min(hits) < 1e-4 * len(rays), hits
+    return {"triangles": len(faces), "tracers": found,
+            "bytes_a_triangle": bytes_taken(vertices, faces) if device == "cuda" else None}
+
+
 if __name__ == "__main__":
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    made = {"rates": rates, "arrays": arrays}[sys.argv[1]](*sys.argv[2:])
+    made = {"rates": rates, "arrays": arrays, "answer": answer}[sys.argv[1]](*sys.argv[2:])
     print(json.dumps(made, indent=1))

@@ -6,8 +6,8 @@
 # there is a usable GPU; without one, sections that need it are left out. A command that fails costs its figures alone.
 # MASU_SECTIONS="prepare embree": only these. MASU_QUICK=1: tiny sizes, to try the script.
 # MASU_SCENES: more scene files for the section choice, as full paths, with spaces between. Needs python3, and 4 GB in
-# TMPDIR (default /tmp). The last sections aren't run unless they are named: embree (masu_cpu_rays), library and arrays
-# (PYTHON, an interpreter with NumPy, with a GPU PyTorch), scale (10 GB of memory and disk), gpus (several GPUs).
+# TMPDIR (default /tmp). The last sections aren't run unless they are named: embree (masu_cpu_rays), library, arrays
+# and answer (PYTHON, an interpreter with NumPy, with a GPU PyTorch), scale (10 GB of memory and disk), gpus (several GPUs).
 source "$(dirname "$0")/measure.sh"
 
 devices=$(if [ "$backend" = cuda ]; then echo cuda cpu; else echo cpu; fi)
@@ -31,9 +31,7 @@ scenes() {
 # A line for each grid beside the automatic one: its name, the options of gridbuild.
 grids() {
   local n
-  for n in 16 32 $(full '64 128 256' '') auto; do echo "none-$n:--merge none --division $n"; done
-  echo "x-128:--merge x --division $(full 128 16)"
-  echo "balance-128:--merge balance --division $(full 128 16)"
+  for n in 16 32 $(full 64 '') auto; do echo "none-$n:--merge none --division $n"; done
   echo "irregular:--merge irregular"
 }
 
@@ -87,31 +85,12 @@ one_core() {
     picture one_core "$name" "$name" "$name.chosen" one.pfm --backend cpu --threads 1 --repeat "$(full 3 1)"
   done
 }
-png() {
-  for name in "${standard[@]}"; do
-    for run in 1 2 3; do
-      picture png "$name.png.$run" "$name" "$name" "$name.png" --backend "$backend"
-      picture png "$name.pfm.$run" "$name" "$name" "$name.pfm" --backend "$backend"
-    done
-  done
-}
 views() {
   picture views png mount-10 mount-10 'view-{index}.png' --turntable "$(full 200 5)" --backend "$backend"
   rm -f view-*.png
 }
 
-# frame SECTION KEY SCENE GRIDS OPTION…
-frame() {
-  # shellcheck disable=SC2086 # GRIDS is a list
-  record "$1" "$2" gridbench frame "$3.scene" $4 --backend "$backend" --size "$size" \
-    --warm-up $warm_up --repeat $repeat --json "${@:5}"
-}
 
-division() {
-  for name in "${standard[@]}"; do
-    frame division "$name" "$name" "$(echo "$name".none-*.grid)" --schedule hardware
-  done
-}
 # What `gridbuild --structure fastest` may consider, and the rates of rays through each.
 choice() {
   local scene name i structure division options
@@ -144,13 +123,6 @@ choices() {
   processor=cpu rays=(--backend cpu --size "$(full 256x256 32x32)" --random "$(full 262144 1000)")
   choice "${standard[@]/%/.scene}"
 }
-schedules() { for name in balls rings teapot; do frame schedules "$name" "$name" "$name.grid" --general; done; }
-kernels() {
-  for name in "${standard[@]}"; do
-    frame kernels "$name.own" "$name" "$name.grid" --schedule hardware
-    frame kernels "$name.general" "$name" "$name.grid" --schedule hardware --general
-  done
-}
 rays() {
   local loops
   loops=$(if [ "$backend" = cuda ]; then echo auto,thread_per_ray,warp,warp_refill; else echo auto,thread_per_ray; fi)
@@ -182,23 +154,7 @@ cells() {
     done
   done
 }
-merge() {
-  for mode in none x balance; do gridbuild teapot.scene -o $mode.grid -q --merge $mode --division 69x69x27; done
-  gridbuild teapot.scene -o irregular.grid -q --merge irregular
-  for mode in none x balance irregular; do record merge $mode gridstat $mode.grid --json; done
-}
 load() { for run in 0 1 2 3; do picture load $run mount-10 mount-10 mount-10.pfm --backend "$backend"; done; } # 0 warms up
-lists() {
-  for name in mount-8 balls-5; do
-    gridbench rays $name.scene $name.grid --sets random --random "$(full 16777216 1000)" --save rays. --repeat 1 --warm-up 0 \
-      --backend "$backend" >/dev/null
-    for run in 1 2 3; do
-      record lists $name.$run gridtrace $name.scene $name.grid rays.random.f64 --ray-numbers 8 --relative -o hits \
-        --write t,primitive --backend "$backend" --times - -q
-    done
-    rm -f rays.random.f64 hits
-  done
-}
 
 # --- Unless named, not run --------------------------------------------------------------------------------------------
 
@@ -230,6 +186,15 @@ arrays() {
     module record arrays "$device" "${PYTHON:-python3}" -B "$here/library.py" arrays "$(full 2097152 1000)" "$device"
   done
 }
+# To prepare and to trace; on a GPU, too, what its memory holds.
+answer() {
+  local device triangles
+  for device in $devices; do
+    for triangles in $(full '20000 200000 2000000 8000000' 1000); do
+      module record answer "$device.$triangles" "${PYTHON:-python3}" -B "$here/library.py" answer "$triangles" "$device"
+    done
+  done
+}
 # Time and memory by the size of the scene.
 scale() {
   local limit=3600 n
@@ -259,7 +224,6 @@ while n <= $(if [ "$backend" = cuda ]; then nvidia-smi -L | wc -l; else echo "$c
   done
 }
 
-sections="prepare builds pictures one_core png views division cells merge load lists rays fastest hierarchies choices schedules"
-[ "$backend" = cuda ] && sections+=" kernels"
+sections="prepare builds pictures one_core views cells load rays fastest hierarchies choices"
 # shellcheck disable=SC2086 # a list
 measure performance ${MASU_SECTIONS:-$sections}

@@ -28,6 +28,9 @@ def peer_rates():
 
 
 PEERS = peer_rates()
+# By triangles: cuBQL's milliseconds to upload and build, and million random rays per second, on an H200.
+ANSWERS = {int(row[0]): row[1:] for row in map(str.split, (pathlib.Path(__file__).parent / "answers.tsv").read_text().splitlines())
+           if row[0] != "#"}
 
 # Steps and tests a ray, of the pictures of 513x513 pixels: the least of the grids and octrees that V. Havran compared.
 HAVRAN = dict(balls=25.8, gears=35.5, mount=26.9, rings=38.6, teapot=34.4, tetra=25.5, tree=13.6)
@@ -109,11 +112,11 @@ def fastest(results, scene):
     return f"{scene}-bvh" if "nodes" in results["runs"]["fastest"][scene]["output"] else scene
 
 
-def fastest_rates(results, scene):
-    """Mray/s of primary, diffuse and random rays through it, by the loop that `auto` takes."""
+def fastest_rates(results, scene, kinds=("primary", "diffuse", "random")):
+    """Mray/s through it, by the loop that `auto` takes."""
     rows = results["runs"]["rays"][scene]["output"]
     found = []
-    for kind in ("primary", "diffuse", "random"):
+    for kind in kinds:
         auto, *loops = [row for row in rows if row["rays"] == kind and row["grid"] == f"{fastest(results, scene)}.grid"]
         found += [row["mrays_per_second"] for row in loops if row["loop"] == auto["loop"]]
     return found
@@ -139,19 +142,6 @@ def tables(results):
                 ["one core, chosen structure", *(ms(lambda: seconds("one_core", s)) for s in STANDARD)]]
         return table(["", *STANDARD], rows)
 
-    def pictures():
-        rows = [[s, ms(lambda: seconds("pictures", f"{s}.chosen")), ms(lambda: seconds("pictures", f"{s}.uniform")),
-                 ms(lambda: seconds("one_core", s)),
-                 figure(lambda: seconds("one_core", s) / seconds("pictures", f"{s}.chosen"), "{:.0f}")]
-                for s in STANDARD]
-        return table(["scene", "chosen structure, ms", "uniform grid, ms", "one CPU core, ms", f"core / {device}"], rows)
-
-    def png():
-        write = lambda s, kind: statistics.median(seconds("png", f"{s}.{kind}.{i}", "write") for i in (1, 2, 3))
-        rows = [[s, ms(lambda: write(s, "png")), megabytes(f"{s}.png"), ms(lambda: write(s, "pfm")),
-                 megabytes(f"{s}.pfm")] for s in STANDARD]
-        return table(["scene", "PNG, ms", "MB", "PFM, ms", "MB"], rows)
-
     def views():
         part = lambda what: figure(lambda: seconds("views", "png", what))
         return table(["views", "trace, s", "download, s", "encode and write, s", "load, s", "whole process, s"],
@@ -159,9 +149,6 @@ def tables(results):
                        part("write"),
                        figure(lambda: sum(seconds("views", "png", what) for what in ("map", "validate", "upload"))),
                        figure(lambda: runs["views"]["png"]["elapsed_seconds"])]])
-
-    def frames(section, key):
-        return {row["grid"]: row["median_seconds"] for row in output(section, key)}
 
     def choice():
         rows = []
@@ -178,19 +165,10 @@ def tables(results):
             rows.append([processor, "geometric mean", "", "", *(figure(lambda: mean(rule), "{:.3f}") for rule in CHOICES)])
         return table(["for", "scene", "`fastest` takes", "the fastest", *(f"`{rule}`" for rule in CHOICES)], rows)
 
-    def division():
-        time = lambda s, n: frames("division", s)[f"{s}.none-{n}.grid"]
-        return table(["voxels an axis", *STANDARD], [[f"{n}, ms", *(ms(lambda: time(s, n)) for s in STANDARD)]
-                                                     for n in (16, 32, 64, 128, 256, "auto")])
-
     def measured(name, grid, kind):
         """By one set of rays: the loop that `auto` takes, and Mray/s of each loop."""
         auto, *rows = [row for row in output("rays", name) if row["rays"] == kind and row["grid"] == f"{grid}.grid"]
         return auto["loop"], {row["loop"]: row["mrays_per_second"] for row in rows}
-
-    def throughput(name, kind):
-        taken, speeds = measured(name, name, kind)
-        return ", ".join(f"**{speed:.0f}**" if loop == taken else f"{speed:.0f}" for loop, speed in speeds.items())
 
     def hierarchies():
         def speeds(s, grid):
@@ -201,45 +179,19 @@ def tables(results):
                     ms(lambda: seconds("hierarchies", grid))))] for s in LARGE]
         return table(["scene", "irregular: Mray/s", "MB", "picture, ms", "`--structure bvh`: Mray/s", "MB", "picture, ms"], rows)
 
-    def fastest_pictures():
-        time = lambda grid: seconds("hierarchies", grid)
-        gain = lambda s: time(s) / time(fastest(results, s))
-        rows = [[s, ms(lambda: time(s)), ms(lambda: time(f"{s}-bvh")),
-                 figure(lambda: "irregular" if fastest(results, s) == s else "`bvh`", "{}"),
-                 figure(lambda: gain(s), "{:.2f}")] for s in [*STANDARD, *LARGE]]
-        rows += [[f"geometric mean of {what}", "", "", "",
-                  figure(lambda: statistics.geometric_mean(gain(s) for s in scenes), "{:.2f}")]
-                 for what, scenes in (("the standard sizes", STANDARD), ("the large ones", LARGE))]
-        return table(["scene", "irregular, ms", "`bvh`, ms", "`fastest` takes", "as many pictures as irregular"], rows)
-
-    def triangles():
-        def cost(name):
-            rows = {row["rays"]: row for row in output("rays", name) if row["grid"] == f"{name}.grid"}
-            return "; ".join(f"{rows[kind]['tests_a_ray']:.2f} + {rows[kind]['cells_a_ray']:.2f}"
-                             for kind in ("primary", "diffuse", "random"))
-        rows = [[f"{s} ({figure(lambda: primitives(s), '{:,}')})", megabytes(f"{s}.grid"),
-                 *(figure(lambda: throughput(s, kind), "{}") for kind in ("primary", "diffuse", "random")),
-                 figure(lambda: cost(s), "{}")] for s in LARGE]
-        return table(["scene (triangles)", "grid, MB", "primary", "diffuse", "random",
-                      "tests + cells a ray: primary; diffuse; random"], rows)
-
-    def curved():
-        kinds = "primary", "diffuse", "random", "shadow"
-        rows = [[s, megabytes(f"{s}.grid"), *(figure(lambda: throughput(s, kind), "{}") for kind in kinds)]
-                for s in ("balls", "rings", "tree", "gears")]
-        return table(["scene", "grid, MB", *kinds], rows)
-
     def peers():
         rows = []
         for s, peer in PEERS.items():
             rates, taken = fastest_rates(results, s), fastest(results, s)
-            ratio = lambda name: ", ".join(f"{ours / theirs:.2f}" for ours, theirs in zip(rates, peer[name]))
+            any_hits = fastest_rates(results, s, ("shadow", "ambient"))
+            ratio = lambda name, ours=rates: ", ".join(f"{our / their:.2f}" for our, their in zip(ours, peer[name]))
             rows.append([s, "irregular" if taken == s else "`bvh`", ", ".join(f"{rate:.0f}" for rate in rates),
                          ", ".join(f"{rate:.0f}" for rate in peer["cwbvh"]),
-                         ratio("cwbvh"), ratio("optix"), ratio("hagrid"), ratio("hagrid_best"),
+                         ratio("cwbvh"), ratio("cubql"), ratio("optix"), ratio("hagrid"), ratio("hagrid_best"),
+                         ", ".join(f"{rate:.0f}" for rate in any_hits), ratio("cubql_any", any_hits),
                          f"{(size[f'{taken}.grid'] + 48 * primitives(s)) * 1e-6:.0f}, {peer['cwbvh_mb'][0]:.0f}"])
-        return table(["scene", "`fastest` takes", "Masu", "CWBVH", "Masu / CWBVH", "/ OptiX", "/ hagrid", "/ hagrid's best",
-                      "MB: Masu, CWBVH"], rows)
+        return table(["scene", "`fastest` takes", "Masu", "CWBVH", "Masu / CWBVH", "/ cuBQL", "/ OptiX", "/ hagrid",
+                      "/ hagrid's best", "occlusion: Masu", "/ cuBQL", "MB: Masu, CWBVH"], rows)
 
     def cells():
         def cost(s, grid):
@@ -251,30 +203,6 @@ def tables(results):
                 for grid in grids]
         return table(["`--merge`, `--division`", *STANDARD],
                      [*rows, ["Havran's best grid or octree", *(f"{HAVRAN[s]:.1f}" for s in STANDARD)]])
-
-    def merge():
-        def row(mode):
-            stat = output("merge", mode)
-            references = stat["references_per_occupied_cell"]
-            return [f"{stat['cells']}", f"{stat['references']}", f"{references['mean']:.2f}",
-                    f"{references['evenness']:.2f}", f"{stat['expected_per_ray']['cells']:.1f}",
-                    f"{stat['expected_per_ray']['tests']:.1f}", f"{stat['bytes']['file']}"]
-        return table(["`--merge`", "cells", "references", "mean a cell", "stddev / mean", "cells a random line",
-                      "tests a random line", "bytes"],
-                     [[f"`{mode}`", *row(mode)] for mode in ("none", "x", "balance", "irregular")])
-
-    def schedules():
-        names = "hardware", "block", "cyclic", "persistent"
-        time = lambda s, name: {row["schedule"]: row["median_seconds"] for row in output("schedules", s)}[name]
-        return table(["scene", *names], [[s, *(ms(lambda: time(s, name)) for name in names)]
-                                         for s in ("teapot", "balls", "rings")])
-
-    def kernels():
-        def cell(s, which):
-            row = output("kernels", f"{s}.{which}")[0]
-            return f"{row['median_seconds'] * 1e3:.3g}, {row['kernel']['local_bytes']}"
-        return table(["", *STANDARD], [[text, *(figure(lambda: cell(s, which), "{}") for s in STANDARD)]
-                                       for text, which in (("the scene's kinds", "own"), ("all kinds", "general"))])
 
     def builds():
         def middle(s, where):
@@ -303,15 +231,6 @@ def tables(results):
                      [["map; validate; upload", "; ".join(ms(lambda: step) for step in steps)],
                       ["load: the sum", ms(lambda: sum(steps))],
                       ["trace 1024×1024", ms(lambda: times["trace"])]])
-
-    def lists():
-        def row(s):
-            keys = [f"{s}.{run}" for run in (1, 2, 3)]
-            whole = statistics.median(runs["lists"][key]["elapsed_seconds"] for key in keys)
-            times = middle_of("lists", *keys)
-            return [s, *(ms(lambda: times[what]) for what in ("trace", "download", "write")), ms(lambda: whole)]
-        return table(["scene", "trace, ms", "download, ms", "write, ms", "whole process, ms"],
-                     [row(s) for s in ("mount-8", "balls-5")])
 
     def embree():
         """What masu_cpu_rays prints for one thread: Masu's rate, Embree's and their ratio; of primary rays that of packets."""
@@ -350,6 +269,20 @@ def tables(results):
         return table(["on", "triangles", "scene, ms", "build, ms", "tracer, ms", "first hit, ms", "all, ms", "update from, ms"],
                      rows)
 
+    def answer():
+        rows = []
+        for key, run in runs["answer"].items():
+            found, device = run["output"], key.partition(".")[0]
+            cells = {name: f"{of['prepare_ms']:.3g}, {of['mrays']:.4g}" for name, of in found["tracers"].items()}
+            if device == "cuda":
+                cells |= {"cuBQL": ", ".join(ANSWERS[found["triangles"]])} if found["triangles"] in ANSWERS else {}
+            taken = found["bytes_a_triangle"]
+            rows.append([f"{found['triangles']:,}, " + (machine["device"] if device == "cuda" else f"{machine['cores']} cores"),
+                         *(cells.get(name, "-") for name in ("Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL")),
+                         f"{taken['held']:.0f}, {taken['most']:.0f}" if taken else "-"])
+        return table(["triangles, on", "Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL",
+                      "bytes a triangle: held, at most"], rows)
+
     def scale():
         tools = {"nff2bin": "nff2bin, from a pipe", "irregular": "gridbuild --merge irregular",
                  "bvh": "gridbuild --structure bvh", "gridrender": "gridrender, 64×64 rays"}
@@ -375,9 +308,8 @@ def tables(results):
                 for (work, n), times in sorted(whole.items(), reverse=True)]
         return table(["work", "GPUs" if cuda else "threads", "s", "speed-up"], rows)
 
-    makers = (readme, pictures, png, views, choice, cells, division, merge, triangles, curved, hierarchies,
-              fastest_pictures, peers, schedules, kernels, load, builds, lists, embree, library, arrays, scale, gpus)
-    return {"head": head(results), **made_by(makers, {} if cuda else {kernels})}
+    makers = readme, views, choice, cells, hierarchies, peers, load, builds, embree, library, arrays, answer, scale, gpus
+    return {"head": head(results), **made_by(makers)}
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ const ownCamera = ({camera: {from, at, up, angle}}) => ({from, at, up, angle});
 // A grid in a link: by its name, or by its hash where another one has that name, too.
 function gridKey(scene, grid) {
   const isPlain = !grid.name.includes(',') && scene.grids.filter((one) => one.name === grid.name).length === 1;
-  return isPlain ? grid.name : grid.hash;
+  return isPlain || grid.division ? grid.name : grid.hash;
 }
 
 // count of them, all finite; null for anything else.
@@ -18,7 +18,7 @@ function readNumbers(text, count) {
 
 // scene: as /api/scene describes it; then the page's `state`, the kind of the scales, of the WalkPanel {ray, pane, index,
 // step}, and the plane's zoom.
-function writeAddress(scene, {camera, depth, panes, plane, slice}, scale, walk, zoom) {
+function writeAddress(scene, {camera, depth, panes, plane, slice, guess, cost}, scale, walk, zoom) {
   const parts = new URLSearchParams(), own = ownCamera(scene);
   for (const part of ['from', 'at', 'up', 'angle']) {
     if (String(camera[part]) !== String(own[part])) parts.set(part, String(camera[part]));
@@ -32,6 +32,8 @@ function writeAddress(scene, {camera, depth, panes, plane, slice}, scale, walk, 
   const {axis, share, depth: level} = slice;
   if (axis !== 2 || share !== 0.5 || level !== null) parts.set('slice', ['xyz'[axis], share, ...(level === null ? [] : [level])].join());
   if (plane && zoom?.axis === axis) parts.set('zoom', [zoom.u, zoom.v, zoom.scale].join());
+  if (guess) parts.set('guess', 1);
+  if (String(cost) !== '1,1') parts.set('cost', cost.join());
   if (walk.ray) {
     const {ray, pane, index, step} = walk;
     parts.set('ray', [...ray.origin, ...ray.direction].join());
@@ -60,15 +62,18 @@ function readAddress(scene, text) {
   const channels = list('channel'), cells = list('cells'), keys = scene.grids.map((grid) => gridKey(scene, grid));
   const named = list('grid').map((name, i) => (
     {grid: keys.indexOf(name), channel: oneOf(scene.channels, channels[i], 'shaded'), cells: oneOf(CELLS, cells[i], 'none')}));
-  const known = named.filter(({grid}) => grid >= 0), missing = list('grid').filter((name, i) => name && named[i].grid < 0);
-  const plane = parts.get('view') !== 'plane' ? null : known.length > 0 ? known.slice(0, MOST_SLICES).map(({grid}) => grid) : firstGrids(scene);
-  const panes = (known.length > 0 ? known : [{...named[0], grid: 0}]).slice(0, plane ? 1 : 2);
+  const isPlane = parts.get('view') === 'plane', isKnown = ({grid}) => grid >= 0 && (isPlane || grid < scene.pictured);
+  const known = named.filter(isKnown), missing = list('grid').filter((name, i) => name && !isKnown(named[i]));
+  const plane = !isPlane ? null : known.length > 0 ? known.slice(0, MOST_SLICES).map(({grid}) => grid) : firstGrids(scene);
+  const pictured = known.filter(({grid}) => grid < scene.pictured);
+  const panes = (pictured.length > 0 ? pictured : [{...named[0], grid: 0}]).slice(0, plane ? 1 : 2);
   const [u, v, times] = readNumbers(parts.get('zoom'), 3) || [], zoom = times > 1 && times <= 1e4 ? {u, v, scale: times, axis: slice.axis} : null;
   const ray = readNumbers(parts.get('ray'), 6), precision = oneOf(['fast', 'robust', 'double'], parts.get('precision'), null);
   const [pane = 0, index = 0, step = null] = list('walk').map((word) => /^\d{1,9}$/.test(word) ? Number(word) : undefined);
   const walk = ray && ray.slice(3).some((part) => part !== 0) ? {
     ray: {origin: ray.slice(0, 3), direction: ray.slice(3), ...(precision ? {precision} : {}), all: parts.get('all') === '1', depth},
     look: {pane: Math.min(pane, (plane || panes).length - 1), index, step}} : null;
-  return {state: {camera: isCamera ? camera : ownCamera(scene), depth, panes, plane, slice},
+  const weights = readNumbers(parts.get('cost'), 2), cost = weights?.every(isWeight) ? weights : [1, 1];
+  return {state: {camera: isCamera ? camera : ownCamera(scene), depth, panes, plane, slice, guess: parts.get('guess') === '1', cost},
     scale: oneOf(['linear', 'logarithmic'], parts.get('scale'), 'automatic'), walk, zoom, missing};
 }

@@ -21,7 +21,7 @@ class Exported {
     this.step = 2 * Math.PI / data.views.length; // from view to view, in radians
   }
 
-  async scene() { return this.data.scene; }
+  async scene() { return withDivisions(this.data.scene, false); }
 
   // The index of the view from the most similar direction.
   index(camera) {
@@ -121,6 +121,7 @@ class Exported {
     return {axis: all.find((plane) => plane.share === nearest).axis, share: nearest};
   }
   async slice(grid, axis, share) {
-    return this.data.slices[grid][this.data.planes.findIndex((plane) => plane.axis === axis && plane.share === share)];
+    const index = this.data.planes.findIndex((plane) => plane.axis === axis && plane.share === share);
+    return {...this.data.slices[0][index], ...this.data.slices[grid][index]}; // with the first one's outline
   }
 }

@@ -30,7 +30,7 @@ const NEXT = {
     return `channel ${pane.settings.channel}`;
   },
   g(pane) {
-    pane.set({grid: (pane.settings.grid + 1) % state.scene.grids.length});
+    pane.set({grid: pane.division.next(pane.settings.grid)});
     return `grid ${pane.structure.name}`;
   },
   w(pane) {
@@ -70,15 +70,15 @@ function keyOfPicking(pane, event) {
   return true;
 }
 
-// The walk of the camera ray of the pixel at shares x, y of the picture.
-
 function keyOfPage(event) {
-  if (event.ctrlKey || event.altKey || event.metaKey || event.target.type === 'number') return;
-  // Lists, sliders and boxes to tick have keys of their own, but not these.
-  if (/^(INPUT|SELECT)$/.test(event.target.tagName) && ![',', '.', '?', 'Escape'].includes(event.key)) return;
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  // Lists, sliders and boxes to tick have keys of their own, but not these; numbers have a point.
+  const others = event.target.type === 'number' ? ['?', 'Escape'] : [',', '.', '?', 'Escape'];
+  if (/^(INPUT|SELECT)$/.test(event.target.tagName) && !others.includes(event.key)) return;
   if (event.key === '?' || (event.key === 'Escape' && !$('keys-list').hidden)) toggleKeys();
   else if (event.key === 'p') togglePlane();
   else if (event.key === 'v' && !state.plane) toggleCompare();
+  else if (event.key === 'q') setGuess(!state.guess);
   else if (event.key === 'Home') setCamera(ownCamera(state.scene));
   else if (event.key === ',' && walkPanel.move(-1)) { /* a step back */ }
   else if (event.key === '.' && walkPanel.move(1)) { /* a step on */ }

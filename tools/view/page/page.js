@@ -10,14 +10,14 @@ const state = {
   panes: [],             // [{grid, channel, cells}]: one, or two that are compared
   plane: null,           // grids whose slices are shown instead of pictures
   slice: {axis: 2, share: 0.5, depth: null}, // depth: of cells and boxes that are shown, null for all
+  guess: false,          // hide what a ray costs until it has been guessed
+  cost: [1, 1],          // of a test, and of a step
   pointer: null,         // over a picture: shares of it
   picking: null,         // the cross hair: {pane, x, y}, shares of the picture
 };
 let slicePanel = null, walkPanel = null, planeView = null, colors = null, listColors = null, scales = null;
-const MOST_SLICES = 4;
 let source = null;
 
-const firstGrids = (scene) => scene.grids.map((grid, i) => i).slice(0, MOST_SLICES);
 const fragment = () => writeAddress(state.scene, state, scales.kind, walkPanel || {}, planeView?.zoom);
 let addressTimer = 0;
 function rememberSoon() {
@@ -29,7 +29,8 @@ function rememberSoon() {
 
 // A grid's name without the ending, where that's enough to tell grids apart; may break at underlines.
 function shortName(index) {
-  return state.scene.grids[index].name.replace(/\.grid$/, '').replaceAll('_', '_\u200b');
+  const {name, division} = state.scene.grids[index];
+  return division ? `${division}³` : name.replace(/\.grid$/, '').replaceAll('_', '_\u200b');
 }
 
 // After any change of `state`.
@@ -98,7 +99,9 @@ async function pick(pane, shareX, shareY) {
     await walkPanel.follow({...ray, all: $('walk-all').checked, depth: state.depth}, {pane: pane.index, pixel: {x, y, width, height}});
     $('walk-panel').open = true;
     const {current} = walkPanel;
-    if (current && !signal.aborted) announce(`pixel ${x}, ${y}: ${counted(current.cells, visited(walkPanel.structures[walkPanel.pane]))}, ${counted(current.tests, 'test')}`);
+    if (signal.aborted) return;
+    if (current) announce(`pixel ${x}, ${y}: ${counted(current.cells, visited(walkPanel.structures[walkPanel.pane]))}, ${counted(current.tests, 'test')}`);
+    else walkPanel.focusGuess();
   } catch (error) {
     if (error.name !== 'AbortError') walkPanel.failed(error.message);
   }
@@ -109,7 +112,7 @@ function toggleCompare() {
     state.panes.length = 1;
   } else {
     const first = state.panes[0];
-    state.panes.push({...first, grid: (first.grid + 1) % state.scene.grids.length});
+    state.panes.push({...first, grid: (first.grid + 1) % state.scene.given});
   }
   keepFocus(update);
 }
@@ -118,8 +121,8 @@ function toggleCompare() {
 let walkOfPictures = {};
 function togglePlane() {
   const grids = [...new Set(state.panes.map((pane) => pane.grid))], back = state.plane ? walkOfPictures : {};
-  const {ray, pane, index, step, pixel} = walkPanel;
-  walkOfPictures = {ray, look: {pane, index, step, pixel}};
+  const {ray, pane, index, step, pixel, guesses} = walkPanel;
+  walkOfPictures = {ray, look: {pane, index, step, pixel, guesses}};
   state.plane = state.plane ? null : grids.length > 1 ? grids : firstGrids(state.scene);
   keepFocus(() => {
     showPanes();
@@ -151,6 +154,19 @@ function changeView() {
   update();
 }
 
+// Weights that make no sense stay as they were.
+function changeCost() {
+  state.cost = ['a', 'b'].map((name, i) => ($(`cost-${name}`).value !== '' && isWeight($(`cost-${name}`).valueAsNumber) ? $(`cost-${name}`).valueAsNumber : state.cost[i]));
+  walkPanel.draw();
+  showCost();
+}
+
+function setGuess(guess) {
+  state.guess = $('guess').checked = guess;
+  walkPanel.draw({guesses: null});
+  announce(`guess first: ${guess ? 'on' : 'off'}`);
+}
+
 let costFrame = 0;
 function showCost() {
   if (costFrame) return;
@@ -160,7 +176,7 @@ function showCost() {
     const shown = panes.map((pane) => ({name: shortName(pane.settings.grid), frame: pane.of(pane.frame),
       counts: pane.of(pane.counts), grid: state.scene.grids[pane.settings.grid]}));
     const isOpen = $('cost').querySelector('details')?.open;
-    $('cost').replaceChildren(...costTable(shown));
+    $('cost').replaceChildren(...costTable(shown, state.cost));
     $('cost').querySelector('details').open = isOpen;
   });
 }
@@ -236,6 +252,8 @@ function openAddress() {
   if (!source.isLive) state.camera = source.nearest(state.camera);
   state.wish = state.camera;
   scales.kind = scale;
+  $('guess').checked = state.guess;
+  [$('cost-a').value, $('cost-b').value] = state.cost;
   showPanes();
   walkPanel.clear();
   update();
@@ -254,14 +272,16 @@ async function begin() {
   scales = new Scales(colors);
   describeScene();
   slicePanel = new SlicePanel($('slice'), source, state.slice, () => panes.filter((pane) => pane.isCut).forEach((pane) => pane.update()), drawOverlays);
-  walkPanel = new WalkPanel($('walk'), source, () => planeView && drawOverlays(), (point) => setCamera(Camera.centered(state.camera, point)));
+  walkPanel = new WalkPanel($('walk'), source, state, () => planeView && drawOverlays(), (point) => setCamera(Camera.centered(state.camera, point)));
   planeView = new PlaneView($('planes'), state.scene, source, listColors, slicePanel, walkPanel, (index, grid) => {
-    state.plane[index] = grid;
+    state.plane = state.plane.map((one, i) => (i === index ? grid : one));
     $('missing').hidden = true;
     update();
   }, rememberSoon);
   $('walk-all').addEventListener('change', () => walkPanel.followAgain({all: $('walk-all').checked}));
   openAddress();
+  $('guess').addEventListener('change', () => setGuess($('guess').checked));
+  for (const name of ['cost-a', 'cost-b']) $(name).addEventListener('input', changeCost);
   $('skip').addEventListener('click', focusView);
   $('view-panel').addEventListener('change', changeView);
   $('compare').addEventListener('click', toggleCompare);

@@ -30,6 +30,8 @@ const Text = {
     if (size >= 1000) return Text.count(value);
     return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
   },
+  // Of weighted counts.
+  cost: (value) => (Number.isInteger(value) ? Text.count(value) : Text.number(value)),
   // 0 where it is nothing beside the extent of all places.
   place: (value, extent) => Text.number(Math.abs(value) < 1e-4 * extent ? 0 : value),
   // Two digits.
@@ -55,6 +57,14 @@ const counted = (count, what) => `${Text.count(count)} ${what}${count === 1 ? ''
 // What rays visit in structures of scene.grids: cells of grids, nodes of hierarchies.
 const visited = (grid) => grid.structure === 'bvh' ? 'node' : 'cell';
 const visitedNames = (grids) => [...new Set(grids.map((grid) => `${visited(grid)}s`))].join(', ');
+
+// What a ray costs: a · tests + b · steps, of cost [a, b]. A step is a cell, or each of the eight boxes that a node tests,
+// so that grids and hierarchies compare.
+const BOXES_PER_NODE = 8;
+const COST_TITLE = 'a · tests + b · steps: a step is a cell, or each of the eight boxes of a node';
+const isWeight = (weight) => weight >= 0 && weight <= 1e6;
+const stepsOf = (grid, visits) => visits * (grid.structure === 'bvh' ? BOXES_PER_NODE : 1);
+const costOf = ([a, b], grid, visits, tests) => a * tests + b * stepsOf(grid, visits);
 
 // A value of each; null where it isn't known, or where a structure has none.
 function column(all, get) {
@@ -98,8 +108,8 @@ const EXPLAINED = {
   skipped: 'Smallest voxels that the ray passes without a step of their own',
 };
 
-// shown: [{name, frame, counts, grid}] a picture each; frame as Picture reports it, counts as gridrender --stats.
-function costTable(shown) {
+// shown: [{name, frame, counts, grid}] a picture each; frame as Picture reports it, counts as gridrender --stats; cost: [a, b].
+function costTable(shown, cost) {
   const of = (get) => column(shown, get);
   const rays = (c) => c.eye_rays + c.shadow_rays + c.reflection_rays + c.refraction_rays;
   const tests = (c) => Object.values(c.intersection_tests).reduce((a, b) => a + b, 0);
@@ -121,6 +131,7 @@ function costTable(shown) {
     [`${cells} per ray`, of((one) => one.counts.cells_visited / rays(one.counts)), perRay(EXPLAINED.cells)],
     ['empty cells', ofCells((c) => c.empty_cells_visited / rays(c)), perRay(EXPLAINED.empty)],
     ['tests per ray', of((one) => tests(one.counts) / rays(one.counts)), perRay(EXPLAINED.tests)],
+    ['cost per ray', of(({grid, counts: c}) => costOf(cost, grid, c.cells_visited / rays(c), tests(c) / rays(c))), {text: Text.number, less: 'less', title: COST_TITLE}],
     ['voxels skipped', ofCells((c) => c.voxels_skipped / rays(c)), {text: Text.number, title: `${EXPLAINED.skipped}, per ray`}],
     ['shadow rays', of((one) => one.counts.shadow_rays / one.counts.eye_rays), {text: Text.number, title: 'Shadow rays per camera ray'}],
     ['reflected, refracted', of((one) => (one.counts.reflection_rays + one.counts.refraction_rays) / one.counts.eye_rays), {text: Text.number, title: 'Reflection and refraction rays per camera ray'}],

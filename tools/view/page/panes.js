@@ -28,11 +28,11 @@ class Pane {
     this.scaleKind = root.querySelector('.scale-kind');
     this.scaleSelect = this.scaleKind.querySelector('select');
     this.picture = new Picture(this.image, source, (...numbers) => scales.colored(...numbers), (frame) => this.drawn(frame), (text) => this.failed(text));
-    state.scene.grids.forEach((grid, i) => this.gridSelect.append(element('option', {value: i}, grid.name)));
+    this.division = new DivisionSlider(this.gridSelect, state.scene, state.scene.pictured, (grid) => this.set({grid}));
+    this.status.before(this.division.root);
     for (const channel of state.scene.channels) this.channelSelect.append(element('option', {value: channel}, channel));
     for (const cells of CELLS) this.cellsSelect.append(element('option', {value: cells}, cells));
     this.cellsSelect.addEventListener('change', () => this.set({cells: this.cellsSelect.value}));
-    this.gridSelect.addEventListener('change', () => this.set({grid: Number(this.gridSelect.value)}));
     this.channelSelect.addEventListener('change', () => this.set({channel: this.channelSelect.value}));
     this.scaleSelect.addEventListener('change', () => setScale(this.scaleSelect.value));
     this.resized = new ResizeObserver(() => this.update());
@@ -68,7 +68,7 @@ class Pane {
 
   update() {
     const [width, height] = this.size();
-    this.gridSelect.value = this.settings.grid;
+    this.division.show(this.settings.grid);
     this.channelSelect.value = this.settings.channel;
     this.cellsSelect.value = this.settings.cells;
     this.stage.setAttribute('aria-label', `${state.scene.scene.name} through ${state.scene.grids[this.settings.grid].name}, ${this.settings.channel}. Arrow keys orbit, Enter picks a pixel.`);
@@ -133,7 +133,7 @@ class Pane {
     const ray = walkPanel.rayOf(this.settings.grid);
     if (ray) this.drawWalk(ray);
     this.walkCounts.hidden = !ray;
-    if (ray) this.walkCounts.textContent = `${counted(ray.cells, visited(this.structure))}, ${counted(ray.tests, 'test')}`;
+    if (ray) this.walkCounts.textContent = `${counted(ray.cells, visited(this.structure))}, ${counted(ray.tests, 'test')}${walkPanel.guessOf(this.settings.grid)}`;
     if (state.picking && state.picking.pane === this.index) overlay.crossHair(state.picking.x, state.picking.y, '#ffd54a');
     this.overlayMs = performance.now() - begin;
   }

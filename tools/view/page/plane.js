@@ -2,7 +2,6 @@
 // of them and followed step by step.
 'use strict';
 
-const BOXES_PER_NODE = 8; // as a box's number says its node and slot
 // One meaning a colour: cells and boxes that list primitives are violet (listColors).
 const OUTLINE = '#dc2626'; // of the geometry
 const VISITED = '#0b5cad', CURRENT = '#ffc61a', RAY = '#c2185b';
@@ -12,7 +11,7 @@ const LEGEND = [['visited', VISITED], ['current', CURRENT], ['boxes met', FATES.
 
 // Of a hierarchy's box: those around it, from the nearest on, and those of the node in it.
 function kin(cells, [, , , , , , inner, number]) {
-  const nodeOf = (box) => Math.floor(box / BOXES_PER_NODE);
+  const nodeOf = (box) => Math.floor(box / BOXES_PER_NODE); // a box's number says its node and slot
   const around = (node) => {
     const box = node > 0 && cells.find((one) => one[6] === node);
     return box ? [box, ...around(nodeOf(box[7]))] : [];
@@ -22,16 +21,23 @@ function kin(cells, [, , , , , , inner, number]) {
 
 // One slice. Draws cells or boxes once for each window, and the ray over them.
 class SlicePlot {
-  constructor(index, grids, colors, choose) {
+  constructor(index, scene, colors, choose) {
     Object.assign(this, {index, colors, cells: document.createElement('canvas'), key: '', hovered: null});
-    this.gridSelect = element('select', {onchange: () => choose(index, Number(this.gridSelect.value))},
-      ...grids.map((grid, i) => element('option', {value: i}, grid.name)));
+    this.gridSelect = element('select');
+    this.division = new DivisionSlider(this.gridSelect, scene, scene.grids.length, (grid) => choose(index, grid));
     this.facts = element('output', {class: 'status', 'aria-live': 'off'});
     this.canvas = element('canvas', {class: 'slice', tabindex: 0, role: 'application', 'aria-roledescription': 'slice'});
     this.counts = element('p', {class: 'walk-counts', hidden: true});
+    this.costText = element('span');
+    this.costBar = element('span', {class: 'cost-bar', 'aria-hidden': true}, ...[colors.at(0.6), VISITED].map((color) => {
+      const part = element('span');
+      part.style.background = color;
+      return part;
+    }));
+    this.cost = element('div', {class: 'row walk-cost unused'}, this.costText, this.costBar);
     this.sentence = element('p', {class: 'walk-sentence', hidden: true});
     this.root = element('figure', {class: 'picture'},
-      element('div', {class: 'bar'}, element('label', {}, 'Grid ', this.gridSelect), this.facts),
+      element('div', {class: 'bar'}, element('div', {class: 'row'}, element('label', {}, 'Grid ', this.gridSelect), this.division.root), this.facts, this.cost),
       element('div', {class: 'plot'}, this.canvas, this.counts, this.sentence));
   }
 
@@ -150,6 +156,14 @@ class SlicePlot {
     this.arrow(context, at, ends);
   }
 
+  // cost: {tests, steps} of [a, b] each, null where it isn't known; highest: that of the longest bar.
+  showCost(cost, [a, b], highest) {
+    this.cost.classList.toggle('unused', !cost); // its room stays
+    if (!cost) return;
+    this.costText.textContent = `cost ${a} · ${Text.count(cost.tests)} + ${b} · ${Text.count(cost.steps)} = ${Text.cost(a * cost.tests + b * cost.steps)}`;
+    [a * cost.tests, b * cost.steps].forEach((part, i) => { this.costBar.children[i].style.width = `${highest > 0 ? 100 * part / highest : 0}%`; });
+  }
+
   // Of the boxes of the node that is visited: {met, missed, beyond}, beyond the hit that is known by then.
   fates(slice, cells, ray, step) {
     const fates = {met: [], missed: [], beyond: []}, {node} = ray.steps[step] || {};
@@ -230,7 +244,7 @@ class PlaneView {
       plot.root.remove();
     }
     while (this.plots.length < grids.length) {
-      const plot = new SlicePlot(this.plots.length, this.scene.grids, this.colors, this.choose);
+      const plot = new SlicePlot(this.plots.length, this.scene, this.colors, this.choose);
       this.plots.push(plot);
       this.list.append(plot.root);
       this.control(plot);
@@ -296,15 +310,17 @@ class PlaneView {
     const rays = this.grids.map((grid) => walkPanel.rayOf(grid));
     // While the next ray is on its way the last one's walks stay.
     if (rays.every(Boolean)) this.last = {grids: String(this.grids), rays};
-    const shown = this.last?.grids === String(this.grids) ? this.last.rays : rays;
+    const shown = this.last?.grids === String(this.grids) && !walkPanel.isAsking ? this.last.rays : rays;
     const step = walkPanel.step ?? Infinity, last = Math.max(0, ...shown.map((ray) => ray ? ray.steps.length - 1 : 0));
     this.step.max = last;
     this.step.value = Math.min(step, last);
-    this.stepText.textContent = `step ${Math.min(step, last) + 1} of ${last + 1}`;
+    this.stepText.textContent = walkPanel.isAsking ? '' : `step ${Math.min(step, last) + 1} of ${last + 1}`;
     this.step.setAttribute('aria-valuetext', this.stepText.textContent);
+    const costs = shown.map((ray, i) => ray && this.costUntil(ray, step, this.scene.grids[this.grids[i]]));
+    const highest = Math.max(...shown.map((ray, i) => ray ? costOf(this.costs, this.scene.grids[this.grids[i]], ray.cells, ray.tests) : 0));
     this.plots.forEach((plot, i) => {
       const grid = this.grids[i], own = slicePanel.of(grid), ray = shown[i];
-      plot.gridSelect.value = grid;
+      plot.division.show(grid);
       plot.isHierarchy = this.scene.grids[grid].structure === 'bvh';
       if (!own) return;
       plot.fit();
@@ -314,11 +330,20 @@ class PlaneView {
       const facts = sliceFacts(own, cells, this.scene.grids[grid]);
       if (!plot.under) plot.facts.textContent = facts;
       plot.counts.hidden = !ray;
+      plot.showCost(costs[i], this.costs, highest);
       plot.sentence.textContent = walkPanel.sentenceOf(grid);
       plot.sentence.hidden = !plot.sentence.textContent;
-      if (ray) plot.counts.textContent = this.progress(ray, step, last, visited(this.scene.grids[grid]));
-      plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${plot.counts.textContent}. Arrow keys move the ray’s end, with Shift its origin.`);
+      plot.counts.textContent = ray ? this.progress(ray, step, last, visited(this.scene.grids[grid])) + walkPanel.guessOf(grid) : '';
+      plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${ray ? `${plot.counts.textContent}. ${plot.costText.textContent}. ` : ''}Arrow keys move the ray’s end, with Shift its origin${walkPanel.isAsking ? ', Enter leads to the guess' : ''}.`);
     });
+  }
+
+  get costs() { return this.walkPanel.settings.cost; }
+
+  // {tests, steps} of a ray up to a step.
+  costUntil(ray, step, grid) {
+    if (step >= ray.steps.length - 1) return {tests: ray.tests, steps: stepsOf(grid, ray.cells)};
+    return {tests: ray.steps.slice(0, step + 1).reduce((sum, {tests}) => sum + tests.length, 0), steps: stepsOf(grid, step + 1)};
   }
 
   progress(ray, step, last, what) {
@@ -394,6 +419,7 @@ class PlaneView {
       } else if (event.key === '+' || event.key === '=') this.zoomed(plot, 1.25, u, v);
       else if (event.key === '-' || event.key === '_') this.zoomed(plot, 0.8, u, v);
       else if (event.key === '0') this.zoomed(plot, 0, u, v);
+      else if (event.key === 'Enter' && this.walkPanel.isAsking) this.walkPanel.focusGuess();
       else return;
       event.preventDefault();
     });

@@ -46,7 +46,7 @@ class Server {
   async scene() {
     const made = await this.json('api/scene');
     this.files = made.files;
-    return made;
+    return withDivisions(made, true);
   }
 
   static cameraParameters(view) {

@@ -22,9 +22,9 @@ function stepSentence(ray, index, what, ended) {
 }
 
 class WalkPanel {
-  // changed(): another ray, walk or step; center(point): orbit around it from now on.
-  constructor(root, source, changed, center) {
-    Object.assign(this, {root, source, changed, center, grids: [], names: [], structures: []});
+  // settings: {guess, cost} of the page; changed(): another ray, walk or step; center(point): orbit around it from now on.
+  constructor(root, source, settings, changed, center) {
+    Object.assign(this, {root, source, settings, changed, center, grids: [], names: [], structures: []});
     this.plays = [0, 1].map(() => element('button', {type: 'button', title: 'Goes on step by step', onclick: () => this.play(!this.timer)})); // here, and in the plane
     root.after(this.spoken = element('p', {class: 'unseen', role: 'status'})); // a step, for those who don't see it
     this.clear();
@@ -35,8 +35,8 @@ class WalkPanel {
     this.play(false);
     // ray: {origin, direction, all, depth}, the camera's or a given one; pixel: where it was picked; pane: whose
     // walk is listed; index: of the ray among those that it spawned; step: of all walks, which have ended before it
-    // or not, null for the last of the longest; walks: by grid.
-    Object.assign(this, {ray: null, pixel: null, pane: 0, index: 0, step: null, walks: new Map(), drawn: '', abort: null});
+    // or not, null for the last of the longest; walks: by grid; guesses: of what it visits, by grid, null where none was made.
+    Object.assign(this, {ray: null, pixel: null, pane: 0, index: 0, step: null, walks: new Map(), guesses: null, drawn: '', abort: null});
     this.root.replaceChildren(element('p', {class: 'note'}, 'Click a pixel, or press Enter in the picture, to follow its ray through the grid or the hierarchy. Plane has a ray to drag.'));
     this.changed();
   }
@@ -46,9 +46,13 @@ class WalkPanel {
     this.root.append(element('p', {class: 'note', role: 'alert'}, text));
   }
 
-  // Of a grid, the ray that is looked at; null where there is none, or where it isn't loaded.
+  // Whether the ray's walks are hidden, for they are to be guessed first.
+  get isAsking() { return Boolean(this.settings.guess && this.ray && !this.guesses); }
+  guessOf(grid) { return this.guesses?.has(grid) ? `; guessed ${Text.count(this.guesses.get(grid))}` : ''; }
+
+  // Of a grid, the ray that is looked at; null where there is none, where it isn't loaded, or hidden.
   rayOf(grid) {
-    const walk = this.walks.get(grid);
+    const walk = !this.isAsking && this.walks.get(grid);
     return walk && walk.rays[this.index] || null;
   }
   get walk() { return this.walks.get(this.grids[this.pane]) || null; }
@@ -57,17 +61,19 @@ class WalkPanel {
   // {pane, index, step, pixel}: what of the ray is looked at.
   follow(ray, look) {
     this.play(false);
-    Object.assign(this, {ray, pixel: null, index: 0, step: null, walks: new Map(), drawn: ''}, look);
+    Object.assign(this, {ray, pixel: null, index: 0, step: null, walks: new Map(), guesses: null, drawn: ''}, look);
     return this.load();
   }
   // With the rays that it spawns or without, to another depth.
   followAgain(change) {
     if (!this.ray || Object.entries(change).every(([name, value]) => this.ray[name] === value)) return;
-    this.follow({...this.ray, ...change}, change.all === false ? {pixel: this.pixel} : {pixel: this.pixel, index: this.index});
+    const {pixel, guesses, index} = this;
+    this.follow({...this.ray, ...change}, {pixel, guesses, ...(change.all === false ? {} : {index})});
   }
 
   // grids: of the panes, their names, and scene.grids of each.
   show(grids, names, structures) {
+    if (String(grids) !== String(this.grids) && this.step === this.lastStep) this.step = null; // the last one of others, too
     if (this.pane >= grids.length || (this.grids.length > 0 && grids[this.pane] !== this.grids[this.pane])) this.step = null;
     this.pane = Math.min(this.pane, grids.length - 1);
     Object.assign(this, {grids, names, structures});
@@ -123,7 +129,9 @@ class WalkPanel {
     return stepSentence(ray, Math.min(this.step ?? Infinity, ray.steps.length - 1), visited(this.structures[i]), this.walks.get(grid).ended[this.index]);
   }
 
+  // A ray that is hidden has no steps.
   select(step) {
+    if (!this.current) return;
     this.step = step;
     this.sentence.textContent = this.sentenceOf(this.grids[this.pane]);
     const row = this.body.rows[Math.min(step, this.body.rows.length - 1)];
@@ -142,7 +150,28 @@ class WalkPanel {
     this.draw();
   }
 
-  draw() {
+  // What to guess, and a button that shows it.
+  ask() {
+    this.guessed = this.grids.map((grid, i) => element('input', {type: 'number', min: 0, 'aria-label': `Guess: ${visited(this.structures[i])}s of ${this.names[i]}`}));
+    this.root.replaceChildren(element('form', {class: 'guess', onsubmit: (event) => { event.preventDefault(); this.answer(); }},
+      element('p', {}, `How many ${visitedNames(this.structures).replace(', ', ' or ')} will this ray visit?`),
+      element('div', {class: 'rows'}, ...this.guessed.flatMap((input, i) => [element('span', {class: 'name'}, this.names[i]), element('span', {class: 'value'}, input)])),
+      element('button', {type: 'submit', title: 'Shows what it visits (Enter)'}, 'Show')));
+    this.spoken.textContent = ''; // of another ray
+    this.changed();
+  }
+  focusGuess() { if (this.isAsking) this.guessed?.[0].focus(); }
+  answer() {
+    const made = this.grids.map((grid, i) => [grid, this.guessed[i].valueAsNumber]);
+    this.draw({guesses: new Map(made.filter(([, guess]) => guess >= 0))});
+    this.spoken.textContent = this.grids.map((grid, i) => `${this.names[i]}: ${counted(this.rayOf(grid).cells, visited(this.structures[i]))}${this.guessOf(grid)}`).join('. ');
+    focusView();
+  }
+
+  draw(change = {}) {
+    Object.assign(this, change);
+    if (!this.walk) return;
+    if (this.isAsking) return this.ask();
     this.index = Math.min(this.index, this.walk.rays.length - 1);
     const {walk, pixel, current} = this;
     const what = visited(this.structures[this.pane]);
@@ -167,7 +196,9 @@ class WalkPanel {
     const shown = this.grids.map((grid) => this.rayOf(grid));
     const costs = table(this.names, [
       [visitedNames(this.structures), shown.map((one) => one && one.cells), {text: Text.count, less: 'fewer'}],
+      ['guessed', this.grids.map((grid) => this.guesses?.get(grid) ?? null), {text: Text.count}],
       ['tests', shown.map((one) => one && one.tests), {text: Text.count, less: 'fewer'}],
+      ['cost', shown.map((one, i) => one && costOf(this.settings.cost, this.structures[i], one.cells, one.tests)), {text: Text.cost, less: 'less', title: COST_TITLE}],
     ], 'What the ray costs in each grid');
     const panes = this.grids.length < 2 ? null : element('label', {}, 'List of ', element('select', {class: 'walk-pane',
       onchange: (event) => this.look({pane: Number(event.target.value)})},
