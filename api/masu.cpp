@@ -5,7 +5,6 @@
 #include "objects.h"
 #include "renderer/backend.h"
 #include "renderer/rays/automatic_loop.h"
-#include "renderer/rays/closest_points.h"
 #include "renderer/rays/winding_numbers.h"
 #include "renderer/tracer/tracer.h"
 
@@ -27,8 +26,8 @@ struct State {
   std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
   bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
   mutable std::mutex mutex;                // of what follows
-  // For closest points and winding numbers, built by their first query.
-  mutable std::shared_ptr<const masu::StructureFile> hierarchy;
+  // For closest points and winding numbers, made by their first query.
+  mutable std::shared_ptr<const State> by_hierarchy;
   mutable std::shared_ptr<const masu::WindingClusters> clusters;
 
   // gpus: none for the CPU.
@@ -110,6 +109,14 @@ namespace {
 using namespace masu;
 
 constexpr RayFormat ray_formats[] = {{8, false}, {6, false}, {8, true}, {6, true}};
+RayFormat place_format(const masu_query& query) {
+  const auto format = choice<int>(query.format, 4, "format");
+  if (format != MASU_RAYS_FLOAT32 && format != MASU_RAYS_FLOAT64)
+    fail("format", "is of rays: places are MASU_RAYS_FLOAT32 or MASU_RAYS_FLOAT64");
+  if (query.faces != MASU_FACES_BOTH) fail("faces", "are both looked for");
+  return {3, format == MASU_RAYS_FLOAT64, query.relative != 0};
+}
+
 static_assert(static_cast<int>(Precision::automatic) == MASU_PRECISION_AUTO &&
               static_cast<int>(Precision::doubled) == MASU_PRECISION_DOUBLE);
 static_assert(static_cast<int>(RayLoop::warp_refill) == MASU_LOOP_WARP_REFILL - MASU_LOOP_THREAD_PER_RAY);
@@ -155,13 +162,41 @@ void check_arrays(int place, const RayResults& results, const RayFilters& filter
   check(filters.ray_masks);
 }
 
+// What a tracer keeps, made by its first query. Of threads that ask at once each makes it, and the first is
+// kept: a thread that waited for another might be what that one waits for.
+template <class T, class Make>
+std::shared_ptr<const T> kept(const State& tracer, std::shared_ptr<const T>& kept_there,
+                              const Make& make_it) {
+  {
+    const std::lock_guard lock(tracer.mutex);
+    if (kept_there) return kept_there;
+  }
+  std::shared_ptr<const T> made = make_it();
+  const std::lock_guard lock(tracer.mutex);
+  if (!kept_there) kept_there = std::move(made);
+  return kept_there;
+}
+
+// The same scene by a hierarchy, or none for brute force.
+std::shared_ptr<const State> by_hierarchy(const std::shared_ptr<const State>& state,
+                                          const std::function<void(double)>& progress) {
+  if (!state->grid || state->grid->is_hierarchy()) return state;
+  return kept(*state, state->by_hierarchy, [&] {
+    const std::vector<int>& gpus = state->tracer.gpus();
+    return std::make_shared<const State>(
+        state->scene,
+        std::make_shared<const StructureFile>(
+            fast_hierarchy(*state->scene, gpus.empty() ? MASU_CPU : gpus.front(), progress)),
+        gpus);
+  });
+}
+
 // Traces rays where they lie; the results must be there, too.
 void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count, const masu_query* options,
            Query query, const RayResults& results, std::uint32_t limit = 1) {
   if (count == 0) return;
-  const auto state = tracer_handle.state();
-  const ResidentTracer& tracer = state->tracer;
-  require(rays, "rays");
+  const bool is_of_places = query == Query::closest_point;
+  require(rays, is_of_places ? "places" : "rays");
   const masu_query wanted = options != nullptr ? taken(options, "masu_query") : masu_query{};
   RaysRequest request;
   request.query = query;
@@ -170,15 +205,20 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   request.tracing.precision = choice<Precision>(wanted.precision, 4, "precision");
   GoOn go_on(wanted.go_on, wanted.user);
   request.progress = go_on.progress();
-  RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
+  RayList list(rays, count,
+               is_of_places ? place_format(wanted) : ray_formats[choice<int>(wanted.format, 4, "format")]);
   list.format.is_relative = wanted.relative != 0;
   list.filters = filters_of(wanted);
   const int place = device_of(rays);
   check_arrays(place, results, list.filters);
+  auto state = tracer_handle.state();
+  if (is_of_places) on_threads_up_to(wanted.threads, [&] { state = by_hierarchy(state, request.progress); });
+  const ResidentTracer& tracer = state->tracer;
   const auto loop = choice<int>(wanted.loop, 4, "loop");
   if (loop != MASU_LOOP_AUTO)
     request.loop = static_cast<RayLoop>(loop - MASU_LOOP_THREAD_PER_RAY);
-  else if (state->grid && tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
+  else if (state->grid && tracer.device() == Device::cuda && !is_of_places &&
+           !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
                        ? automatic_loop(tracer, list, request.query, request.tracing.precision)
                        : state->loops->of(tracer, wanted.coherent != 0, count);
@@ -188,8 +228,9 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   }
   const std::vector<int>& gpus = tracer.gpus();
   if (std::ranges::count(gpus, place) == 0)
-    fail("rays", fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
-                             gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
+    fail(is_of_places ? "places" : "rays",
+         fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
+                     gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
   tracer.trace_on_device(list, results, request, wanted.stream, place);
 }
 
@@ -231,52 +272,6 @@ std::shared_ptr<const State> moved(const State& before, const Vertices& vertices
   auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));
   auto grid = std::make_shared<const StructureFile>(refitted_grid(*before.grid, *scene));
   return std::make_shared<const State>(std::move(scene), std::move(grid), before.tracer.gpus());
-}
-
-// What a tracer keeps, made by its first query. Of threads that ask at once each makes it, and the first is
-// kept: a thread that waited for another might be what that one waits for.
-template <class T, class Make>
-std::shared_ptr<const T> kept(const State& tracer, std::shared_ptr<const T>& kept_there,
-                              const Make& make_it) {
-  {
-    const std::lock_guard lock(tracer.mutex);
-    if (kept_there) return kept_there;
-  }
-  auto made = std::make_shared<const T>(make_it());
-  const std::lock_guard lock(tracer.mutex);
-  if (!kept_there) kept_there = std::move(made);
-  return kept_there;
-}
-
-// None for brute force.
-std::shared_ptr<const StructureFile> hierarchy_of(const State& tracer,
-                                                  const std::function<void(double)>& progress) {
-  if (!tracer.grid || tracer.grid->is_hierarchy()) return tracer.grid;
-  return kept(tracer, tracer.hierarchy, [&] { return fast_hierarchy(*tracer.scene, MASU_CPU, progress); });
-}
-
-// Calls act(the list, the state, its hierarchy, progress) for places in host memory.
-template <class Act>
-void search_places(const masu_tracer& tracer, const void* places, std::size_t count, const masu_query& query,
-                   const RayResults& results, const char* what, const Act& act) {
-  const auto format = choice<int>(query.format, 4, "format");
-  if (format != MASU_RAYS_FLOAT32 && format != MASU_RAYS_FLOAT64)
-    fail("format", "is of rays: places are MASU_RAYS_FLOAT32 or MASU_RAYS_FLOAT64");
-  if (query.faces != MASU_FACES_BOTH) fail("faces", "are both looked for");
-  if (count == 0) return;
-  require(places, "places");
-  RayList list(places, count, {3, format == MASU_RAYS_FLOAT64, query.relative != 0});
-  list.filters = filters_of(query);
-  if (device_of(places) != host_memory) fail("places", "must lie in host memory");
-  if (reinterpret_cast<std::uintptr_t>(places) % (list.format.bytes_per_ray() / 3) != 0)
-    fail("places", "aren't aligned as their numbers must be");
-  check_arrays(host_memory, results, list.filters);
-  const auto state = tracer.state();
-  if (state->is_on_gpu_alone) fail("tracer", fmt::format("was moved on a GPU: {} in host memory", what));
-  if (query.relative == 0) list.format.origin = state->scene->origin();
-  GoOn go_on(query.go_on, query.user);
-  const auto progress = go_on.progress();
-  on_threads_up_to(query.threads, [&] { act(list, *state, hierarchy_of(*state, progress).get(), progress); });
 }
 
 } // namespace
@@ -393,15 +388,11 @@ masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t c
                          const masu_hits* hits, double* points) {
   return guarded([&] {
     require(tracer, "tracer");
-    const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
     RayResults results = hits != nullptr ? results_of(hits) : RayResults{};
     if (points != nullptr) results.position = reinterpret_cast<double(*)[3]>(points);
     if (results.front != nullptr) fail("front", "isn't found for places: take masu_inside()");
-    search_places(
-        *tracer, places, count, wanted, results, "closest points are found",
-        [&](const RayList& list, const State& state, const StructureFile* hierarchy, const auto& progress) {
-          closest_points(*state.scene, hierarchy, list, results, progress);
-        });
+    if (query != nullptr) place_format(taken(query, "masu_query"));
+    trace(*tracer, places, count, query, Query::closest_point, results);
   });
 }
 
@@ -413,16 +404,27 @@ masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t c
     if (filters_of(wanted).any())
       fail("masu_query", "has exclude or masks: winding numbers are of all triangles");
     require_range(bound, 0, 1, "bound");
-    RayResults results;
-    results.t64 = winding;
-    results.inside = inside;
-    search_places(
-        *tracer, places, count, wanted, results, "winding numbers are computed",
-        [&](const RayList& list, const State& state, const StructureFile* hierarchy, const auto& progress) {
-          const auto clusters =
-              kept(state, state.clusters, [&] { return winding_clusters(*state.scene, hierarchy); });
-          winding_numbers(*state.scene, hierarchy, *clusters, list, bound, winding, inside, progress);
-        });
+    RayList list(places, count, place_format(wanted));
+    if (count == 0) return;
+    require(places, "places");
+    if (device_of(places) != host_memory) fail("places", "must lie in host memory");
+    if (reinterpret_cast<std::uintptr_t>(places) % (list.format.bytes_per_ray() / 3) != 0)
+      fail("places", "aren't aligned as their numbers must be");
+    check_array(host_memory, winding, "winding");
+    check_array(host_memory, inside, "inside");
+    GoOn go_on(wanted.go_on, wanted.user);
+    const auto progress = go_on.progress();
+    on_threads_up_to(wanted.threads, [&] {
+      const auto state = by_hierarchy(tracer->state(), progress);
+      if (state->is_on_gpu_alone)
+        fail("tracer", "was moved on a GPU: winding numbers are computed in host memory");
+      if (!list.format.is_relative) list.format.origin = state->scene->origin();
+      const StructureFile* const hierarchy = state->grid.get();
+      const auto clusters = kept(*state, state->clusters, [&] {
+        return std::make_shared<const WindingClusters>(winding_clusters(*state->scene, hierarchy));
+      });
+      winding_numbers(*state->scene, hierarchy, *clusters, list, bound, winding, inside, progress);
+    });
   });
 }
 

@@ -493,17 +493,17 @@ MASU_API masu_status masu_inside(const masu_tracer* tracer, const void* rays, si
 MASU_API masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t count,
                                   const masu_query* query, double bound, double* winding, uint8_t* inside);
 
-/* The point of the surfaces that is closest to each place. places: 3 numbers each in host memory, floats
+/* The point of the surfaces that is closest to each place. places: 3 numbers each, floats
  * where query->format is MASU_RAYS_FLOAT32, doubles where it is MASU_RAYS_FLOAT64. points: 3 numbers of each
  * closest point, in the places' coordinates; may be NULL. Of `hits`, which may be NULL, t and t64 are the
  * distance, uv and normal those of the point; front must be NULL, for at an edge neither side is nearer
  * (masu_inside() tells). Where there is no surface, or a number of the place is NaN or beyond 1e37, t is
  * infinite and the point NaN. Of primitives at the same distance the one with the lowest index is reported.
  *
- * Of the query, exclude and masks say what isn't looked for; `threads` and `relative` are as for rays. All is
- * computed on the CPU, wherever the tracer is, and in double: off by some roundings of the largest
- * coordinate. Where the tracer's grid isn't a hierarchy, the first call builds one. Not by a tracer
- * that was moved on a GPU (MASU_ERROR_USAGE). */
+ * Places and results lie where rays and results may, and are queued likewise (masu_nearest()). Of the query,
+ * exclude and masks say what isn't looked for; `threads`, `relative` and `stream` are as for rays. All is
+ * computed in double: off by some roundings of the largest coordinate. Where the tracer's grid isn't a
+ * hierarchy, the first call builds one, and on GPUs puts the scene there once more. */
 MASU_API masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t count,
                                   const masu_query* query, const masu_hits* hits, double* points);
 

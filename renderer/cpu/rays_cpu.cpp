@@ -1,4 +1,5 @@
 #include "renderer/cpu/on_cpu.h"
+#include "renderer/rays/closest_points.h"
 #include "renderer/rays/list_progress.h"
 #ifdef MASU_HOST_AVX2
 #include "renderer/cpu/packet_lists.h"
@@ -98,11 +99,33 @@ void list_hits(const SceneView<Stored>& scene, const StructureFile* structure, c
       });
 }
 
+void find_closest(const SceneFile& scene, const StructureFile* hierarchy, const RayList& places,
+                  const RayResults& results, const std::function<void(double)>& report_progress) {
+  ListProgress progress(report_progress, places.count, 16,
+                        hierarchy == nullptr ? scene.primitive_count() : 0);
+  const auto search = [&](const auto& view, const auto& structure) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.count, 256), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        write_closest(view, structure, places.rays, places.format, places.filters, results, i);
+        progress.done(i);
+      }
+    });
+  };
+  scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    hierarchy == nullptr ? search(view, NoStructure{}) : search(view, hierarchy->hierarchy_view<Stored>());
+  });
+}
+
 } // namespace
 
 QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* structure, const RayList& rays,
                            const RayResults& results, const RaysRequest& request) {
   QueryReport report;
+  if (request.query == Query::closest_point) {
+    report.seconds.trace =
+        seconds_of([&] { find_closest(scene, structure, rays, results, request.progress); });
+    return report;
+  }
   if (needs_hits_in_order(rays, results, request)) {
     with_store_and_arithmetic(
         scene, request.tracing.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {

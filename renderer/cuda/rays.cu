@@ -38,6 +38,7 @@ KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayR
                        const RaysRequest& request, Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
   KernelSize size{};
   if (rays.count == 0) return size;
+  if (request.query == Query::closest_point) return launch_closest(files, rays, results, stream, begun);
   const StreamMemory memory{stream, files.memory->pool};
   files.with_arithmetic(
       request.tracing.precision,

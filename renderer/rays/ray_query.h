@@ -7,13 +7,16 @@
 #include "libscene/geometry/surface.h"
 #include "renderer/counts.h"
 
+#include <limits>
+
 namespace masu {
 
 // --- Rays as callers store them ----------------------------------------------------------------------------
 
 // Numbers of 32 or 64 bits, 8 per ray: origin, t_min, direction, t_max (Ray<float>, Ray<double>); or 6:
-// origin and direction, with t_min = 0 and no t_max. Origins are in the world, or relative to the scene's
-// local origin (local_origin.h). `origin` is what is subtracted from them, in float64: a tracer fills it in.
+// origin and direction, with t_min = 0 and no t_max; or of places 3. Origins are in the world, or relative to
+// the scene's local origin (local_origin.h). `origin` is what is subtracted from them, in float64: a tracer
+// fills it in.
 struct RayFormat {
   int numbers = 8;
   bool is_float64 = false;
@@ -253,7 +256,7 @@ MASU_HD inline void to_list(double skipped, const Vec3d& origin, const RayResult
   if (results.position != nullptr)
     for (std::size_t i = first; i < first + count; ++i)
       for (int axis = 0; axis < 3; ++axis)
-        results.position[i][axis] += origin[axis];
+        if (double& at = results.position[i][axis]; at == at) at += origin[axis]; // the bits of NaN stay
   if (skipped == 0) return;
   for (std::size_t i = first; i < first + count; ++i) {
     if (results.t != nullptr) results.t[i] = static_cast<float>(static_cast<double>(results.t[i]) + skipped);
@@ -293,7 +296,9 @@ struct HitAttributes {
   std::uint32_t object = no_primitive, face = no_primitive;
   float u = 0, v = 0;
   Vec3f normal{0, 0, 0}, shading{0, 0, 0};
-  Vec3d position{NAN, NAN, NAN}; // relative to the scene's origin
+  Vec3d position{not_a_number, not_a_number, not_a_number};
+
+  static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 };
 MASU_HD inline void write_attributes(const HitAttributes& hit, const RayResults& results, std::size_t i) {
   if (results.object != nullptr) results.object[i] = hit.object;

@@ -1,9 +1,8 @@
 #include "renderer/rays/winding_numbers.h"
 
-#include "libgrid/trace/closest.h"
 #include "libscene/base/error.h"
+#include "renderer/rays/closest_points.h"
 #include "renderer/rays/list_progress.h"
-#include "renderer/rays/place_list.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -310,17 +310,16 @@ class Tracer(Resource):
                            {"found": Field("", "float64", ())}, locals(), "points", (3,))["found"]
 
     def closest(self, points: Any, *, fields: Union[str, Iterable[str]] = ("distances", "points", "primitive_ids"),
-                relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
+                stream: Any = None, relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
                 ray_masks: Any = None, progress: Progress = None) -> Dict[str, Any]:
-        """The point of the surfaces that is closest to each of the points (..., 3), which are in host memory: a dictionary of
+        """The point of the surfaces that is closest to each of the points (..., 3), which lie where rays may: a dictionary of
         the fields requested, each an array of the points' leading shape.
 
         distances          float64; infinity where there is no surface
         points             (..., 3) float64: the closest points
         primitive_ids, geometry_ids, primitive_uvs, primitive_normals, face_ids, normals   as nearest() has them, of these
 
-        Other arguments are those of nearest(), masks and exclude of points instead of rays. All is computed on the CPU and in
-        float64. Of primitives at the same distance the lowest index is reported. If the grid isn't a hierarchy, the first call
+        Other arguments are those of nearest(), masks and exclude of points instead of rays. All is computed in float64. Of primitives at the same distance the lowest index is reported. If the grid isn't a hierarchy, the first call
         builds one."""
         return self._query(library.masu_closest, lambda pointers: (_hits(pointers, _CLOSEST_FIELDS), None),
                            chosen(fields, _CLOSEST_FIELDS), locals(), "points", (3,))
