@@ -85,6 +85,8 @@ template <>
 inline constexpr std::size_t first_size<masu_tracer_options> = offsetof(masu_tracer_options, go_on);
 template <>
 inline constexpr std::size_t first_size<masu_query> = offsetof(masu_query, go_on);
+template <>
+inline constexpr std::size_t first_size<masu_hits> = offsetof(masu_hits, position);
 
 template <class Struct>
 std::size_t checked_size(const Struct* given, const char* place) {

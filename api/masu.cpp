@@ -3,9 +3,13 @@
 #include "libscene/base/printable.h"
 #include "libscene/base/processor.h"
 #include "objects.h"
+#include "renderer/backend.h"
 #include "renderer/rays/automatic_loop.h"
-#include "renderer/rays/closest_points.h"
+#include "renderer/rays/winding_numbers.h"
 #include "renderer/tracer/tracer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <mutex>
 #include <optional>
@@ -22,8 +26,9 @@ struct State {
   std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
   bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
   mutable std::mutex mutex;                // of what follows
-  mutable std::shared_ptr<const masu::StructureFile>
-      hierarchy; // for closest points, built by their first query
+  // For closest points and winding numbers, made by their first query.
+  mutable std::shared_ptr<const State> by_hierarchy;
+  mutable std::shared_ptr<const masu::WindingClusters> clusters;
 
   // gpus: none for the CPU.
   State(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::StructureFile> grid_,
@@ -104,6 +109,14 @@ namespace {
 using namespace masu;
 
 constexpr RayFormat ray_formats[] = {{8, false}, {6, false}, {8, true}, {6, true}};
+RayFormat place_format(const masu_query& query) {
+  const auto format = choice<int>(query.format, 4, "format");
+  if (format != MASU_RAYS_FLOAT32 && format != MASU_RAYS_FLOAT64)
+    fail("format", "is of rays: places are MASU_RAYS_FLOAT32 or MASU_RAYS_FLOAT64");
+  if (query.faces != MASU_FACES_BOTH) fail("faces", "are both looked for");
+  return {3, format == MASU_RAYS_FLOAT64, query.relative != 0};
+}
+
 static_assert(static_cast<int>(Precision::automatic) == MASU_PRECISION_AUTO &&
               static_cast<int>(Precision::doubled) == MASU_PRECISION_DOUBLE);
 static_assert(static_cast<int>(RayLoop::warp_refill) == MASU_LOOP_WARP_REFILL - MASU_LOOP_THREAD_PER_RAY);
@@ -122,6 +135,8 @@ RayResults results_of(const masu_hits* hits) {
   results.normal = reinterpret_cast<float(*)[3]>(wanted.normal);
   results.face = wanted.face;
   results.front = wanted.front;
+  results.position = reinterpret_cast<double(*)[3]>(wanted.position);
+  results.shading = reinterpret_cast<float(*)[3]>(wanted.shading);
   return results;
 }
 
@@ -129,30 +144,59 @@ RayFilters filters_of(const masu_query& query) {
   return {query.exclude, query.ray_masks, query.object_masks, query.object_count};
 }
 
-// Of arrays that don't lie where the rays are, or not as their numbers must.
-void check_arrays(int place, const RayResults& results, const RayFilters& filters,
-                  const double* points = nullptr) {
-  const auto check = [place](const auto* array) {
-    if (array == nullptr) return;
-    if (device_of(array) != place)
-      fail("results", "don't lie where the rays are: take memory of one kind and device for all");
-    if (reinterpret_cast<std::uintptr_t>(array) % alignof(std::remove_pointer_t<decltype(array)>) != 0)
-      fail("results", "aren't aligned as their numbers must be");
-  };
+// An array that may be null: that it lies where the others do, and as its numbers must.
+template <class T>
+void check_array(int place, const T* array, const char* name) {
+  if (array == nullptr) return;
+  if (device_of(array) != place)
+    fail(name, "don't lie where the other arrays do: take memory of one kind and device for all");
+  if (reinterpret_cast<std::uintptr_t>(array) % alignof(T) != 0)
+    fail(name, "aren't aligned as their numbers must be");
+}
+
+void check_arrays(int place, const RayResults& results, const RayFilters& filters) {
+  const auto check = [place](const auto* array) { check_array(place, array, "results"); };
   for_each_array(results, check);
   check(filters.excluded);
   check(filters.object_masks);
   check(filters.ray_masks);
-  check(points);
+}
+
+// What a tracer keeps, made by its first query. Of threads that ask at once each makes it, and the first is
+// kept: a thread that waited for another might be what that one waits for.
+template <class T, class Make>
+std::shared_ptr<const T> kept(const State& tracer, std::shared_ptr<const T>& kept_there,
+                              const Make& make_it) {
+  {
+    const std::lock_guard lock(tracer.mutex);
+    if (kept_there) return kept_there;
+  }
+  std::shared_ptr<const T> made = make_it();
+  const std::lock_guard lock(tracer.mutex);
+  if (!kept_there) kept_there = std::move(made);
+  return kept_there;
+}
+
+// The same scene by a hierarchy, or none for brute force.
+std::shared_ptr<const State> by_hierarchy(const std::shared_ptr<const State>& state,
+                                          const std::function<void(double)>& progress) {
+  if (!state->grid || state->grid->is_hierarchy()) return state;
+  return kept(*state, state->by_hierarchy, [&] {
+    const std::vector<int>& gpus = state->tracer.gpus();
+    return std::make_shared<const State>(
+        state->scene,
+        std::make_shared<const StructureFile>(
+            fast_hierarchy(*state->scene, gpus.empty() ? MASU_CPU : gpus.front(), progress)),
+        gpus);
+  });
 }
 
 // Traces rays where they lie; the results must be there, too.
 void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count, const masu_query* options,
            Query query, const RayResults& results, std::uint32_t limit = 1) {
   if (count == 0) return;
-  const auto state = tracer_handle.state();
-  const ResidentTracer& tracer = state->tracer;
-  require(rays, "rays");
+  const bool is_of_places = query == Query::closest_point;
+  require(rays, is_of_places ? "places" : "rays");
   const masu_query wanted = options != nullptr ? taken(options, "masu_query") : masu_query{};
   RaysRequest request;
   request.query = query;
@@ -161,15 +205,20 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   request.tracing.precision = choice<Precision>(wanted.precision, 4, "precision");
   GoOn go_on(wanted.go_on, wanted.user);
   request.progress = go_on.progress();
-  RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
+  RayList list(rays, count,
+               is_of_places ? place_format(wanted) : ray_formats[choice<int>(wanted.format, 4, "format")]);
   list.format.is_relative = wanted.relative != 0;
   list.filters = filters_of(wanted);
   const int place = device_of(rays);
   check_arrays(place, results, list.filters);
+  auto state = tracer_handle.state();
+  if (is_of_places) on_threads_up_to(wanted.threads, [&] { state = by_hierarchy(state, request.progress); });
+  const ResidentTracer& tracer = state->tracer;
   const auto loop = choice<int>(wanted.loop, 4, "loop");
   if (loop != MASU_LOOP_AUTO)
     request.loop = static_cast<RayLoop>(loop - MASU_LOOP_THREAD_PER_RAY);
-  else if (state->grid && tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
+  else if (state->grid && tracer.device() == Device::cuda && !is_of_places &&
+           !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
                        ? automatic_loop(tracer, list, request.query, request.tracing.precision)
                        : state->loops->of(tracer, wanted.coherent != 0, count);
@@ -179,8 +228,9 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   }
   const std::vector<int>& gpus = tracer.gpus();
   if (std::ranges::count(gpus, place) == 0)
-    fail("rays", fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
-                             gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
+    fail(is_of_places ? "places" : "rays",
+         fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
+                     gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
   tracer.trace_on_device(list, results, request, wanted.stream, place);
 }
 
@@ -222,21 +272,6 @@ std::shared_ptr<const State> moved(const State& before, const Vertices& vertices
   auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));
   auto grid = std::make_shared<const StructureFile>(refitted_grid(*before.grid, *scene));
   return std::make_shared<const State>(std::move(scene), std::move(grid), before.tracer.gpus());
-}
-
-// None for brute force. Of threads that ask at once each builds one, and the first is kept: a thread that
-// waited for another might be what that one waits for.
-std::shared_ptr<const StructureFile> hierarchy_of(const State& tracer,
-                                                  const std::function<void(double)>& progress) {
-  if (!tracer.grid || tracer.grid->is_hierarchy()) return tracer.grid;
-  {
-    const std::lock_guard lock(tracer.mutex);
-    if (tracer.hierarchy) return tracer.hierarchy;
-  }
-  auto built = std::make_shared<const StructureFile>(fast_hierarchy(*tracer.scene, MASU_CPU, progress));
-  const std::lock_guard lock(tracer.mutex);
-  if (!tracer.hierarchy) tracer.hierarchy = std::move(built);
-  return tracer.hierarchy;
 }
 
 } // namespace
@@ -353,28 +388,70 @@ masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t c
                          const masu_hits* hits, double* points) {
   return guarded([&] {
     require(tracer, "tracer");
-    const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
-    const RayResults results = hits != nullptr ? results_of(hits) : RayResults{};
-    const auto format = choice<int>(wanted.format, 4, "format");
-    if (format != MASU_RAYS_FLOAT32 && format != MASU_RAYS_FLOAT64)
-      fail("format", "is of rays: places are MASU_RAYS_FLOAT32 or MASU_RAYS_FLOAT64");
-    if (wanted.faces != MASU_FACES_BOTH) fail("faces", "are both looked for");
+    RayResults results = hits != nullptr ? results_of(hits) : RayResults{};
+    if (points != nullptr) results.position = reinterpret_cast<double(*)[3]>(points);
     if (results.front != nullptr) fail("front", "isn't found for places: take masu_inside()");
+    if (query != nullptr) place_format(taken(query, "masu_query"));
+    trace(*tracer, places, count, query, Query::closest_point, results);
+  });
+}
+
+masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t count, const masu_query* query,
+                         double bound, double* winding, uint8_t* inside) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
+    if (filters_of(wanted).any())
+      fail("masu_query", "has exclude or masks: winding numbers are of all triangles");
+    require_range(bound, 0, 1, "bound");
+    RayList list(places, count, place_format(wanted));
     if (count == 0) return;
     require(places, "places");
-    const PlaceList list{places, count, format == MASU_RAYS_FLOAT64, wanted.relative != 0,
-                         filters_of(wanted)};
     if (device_of(places) != host_memory) fail("places", "must lie in host memory");
-    if (reinterpret_cast<std::uintptr_t>(places) % (list.is_float64 ? sizeof(double) : sizeof(float)) != 0)
+    if (reinterpret_cast<std::uintptr_t>(places) % (list.format.bytes_per_ray() / 3) != 0)
       fail("places", "aren't aligned as their numbers must be");
-    check_arrays(host_memory, results, list.filters, points);
-    const auto state = tracer->state();
-    if (state->is_on_gpu_alone) fail("tracer", "was moved on a GPU: closest points are found in host memory");
+    check_array(host_memory, winding, "winding");
+    check_array(host_memory, inside, "inside");
     GoOn go_on(wanted.go_on, wanted.user);
     const auto progress = go_on.progress();
     on_threads_up_to(wanted.threads, [&] {
-      closest_points(*state->scene, hierarchy_of(*state, progress).get(), list, results,
-                     reinterpret_cast<double(*)[3]>(points), progress);
+      const auto state = by_hierarchy(tracer->state(), progress);
+      if (state->is_on_gpu_alone)
+        fail("tracer", "was moved on a GPU: winding numbers are computed in host memory");
+      if (!list.format.is_relative) list.format.origin = state->scene->origin();
+      const StructureFile* const hierarchy = state->grid.get();
+      const auto clusters = kept(*state, state->clusters, [&] {
+        return std::make_shared<const WindingClusters>(winding_clusters(*state->scene, hierarchy));
+      });
+      winding_numbers(*state->scene, hierarchy, *clusters, list, bound, winding, inside, progress);
+    });
+  });
+}
+
+masu_status masu_interpolate(const masu_values* values, const uint32_t* primitive, const float* uv,
+                             size_t count, float* interpolated) {
+  return guarded([&] {
+    const masu_values given = taken(values, "masu_values");
+    if (count == 0 || given.width == 0) return;
+    if (given.count > 0 && given.triangle_count > 0) require(given.values, "values");
+    require(primitive, "primitive");
+    if (given.per_face == 0) require(uv, "uv");
+    if (given.per_face != 0 && given.indices != nullptr) fail("indices", "aren't used by values per face");
+    require(interpolated, "interpolated");
+    const int place = device_of(primitive);
+    check_array(place, primitive, "primitive");
+    check_array(place, uv, "uv");
+    check_array(place, interpolated, "interpolated");
+    check_array(place, given.values, "values");
+    check_array(place, given.indices, "indices");
+    const CornerValues of{given.values,  given.width,          given.count,
+                          given.indices, given.triangle_count, given.per_face != 0};
+    const InterpolatedHits hits{primitive, reinterpret_cast<const float(*)[2]>(uv), interpolated};
+    if (place != host_memory) return interpolate_cuda(of, hits, count, place, given.stream);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+        for (std::size_t k = 0; k < of.width; ++k)
+          hits.results[i * of.width + k] = masu::interpolated(of, hits, i, k);
     });
   });
 }

@@ -167,6 +167,31 @@ typedef struct masu_primitive {
 /* `index` is a primitive's, as hits report it. */
 MASU_API masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_primitive* primitive);
 
+/* How many faults there are of a kind, and the first of them, up to 8: by the triangle, and for edges by the
+ * corner, 0 to 2, from which the edge runs to the triangle's next one. */
+typedef struct masu_faults {
+  uint64_t count;
+  uint32_t primitives[8], corners[8];
+} masu_faults;
+
+/* A scene's triangles, all as one mesh. Corners with the same stored coordinates are one point; edges have a
+ * length, and are of triangles that can be hit. */
+typedef struct masu_mesh_check {
+  size_t size;
+  uint64_t points, edges;
+  /* Edges of an odd number of triangles. Where there is none, every line crosses the mesh an even number of
+   * times, so the parity of masu_count_hits() tells inside from outside. */
+  masu_faults open_edges;
+  masu_faults inconsistent_edges; /* of an even number that don't run along it half each way. Where there is
+                                     none either, lines enter as often as they leave, as masu_inside() needs */
+  masu_faults nonmanifold_edges;  /* of more than two */
+  masu_faults faces_without_area; /* corners on a line, exactly, or one point */
+  masu_faults duplicate_faces;    /* of the same points as one before, in any order */
+} masu_mesh_check;
+
+/* Its size must be set. Spheres, which are closed, and cones, which aren't, are left out. */
+MASU_API masu_status masu_scene_check(const masu_scene* scene, masu_mesh_check* check);
+
 /* --- Grids --------------------------------------------------------------------------------------------- */
 
 typedef struct masu_grid masu_grid;
@@ -388,7 +413,23 @@ typedef struct masu_hits {
   double* t64;    /* t, with all digits that the query's precision has */
   uint8_t* front; /* 1 where the ray meets the front, else 0: exactly; of lists of all hits so that their sum
                    * is right for closed meshes, also where they are met at an edge or by a sliver */
+  double* position; /* 3 per ray: the point of the primitive that is hit, in the rays' coordinates; NaN for a
+                       miss */
+  float* shading;   /* 3 per ray: the shading normal, of unit length: interpolated between the normals at the
+                       corners where a scene from a file has them, else as `normal` */
 } masu_hits;
+
+/* Values at the corners of triangles: rows of `width` floats. */
+typedef struct masu_values {
+  size_t size;
+  const float* values;
+  size_t width, count;     /* floats of a row; rows */
+  const uint32_t* indices; /* 3 per triangle: the rows of its corners; NULL: triangle i has rows 3i to 3i + 2 */
+  size_t triangle_count;
+  int per_face; /* not 0: triangle i has row i at all its corners, and indices are NULL */
+  int reserved;
+  void* stream; /* cudaStream_t where arrays lie in device memory; NULL: the default stream */
+} masu_values;
 
 /* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of a GPU of
  * the tracer's, which is found out from the pointers (with a tracer on the CPU: in host memory). Rays need
@@ -404,6 +445,13 @@ typedef struct masu_hits {
  * process. */
 MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t count,
                                   const masu_query* query, const masu_hits* hits);
+
+/* (1 - u - v) a + u b + v c for each hit, as masu_hits has primitive and uv: a row of `width` floats each, of
+ * the values at the hit triangle's corners; rounded once or twice. Zeros for what is no triangle of `values`,
+ * such as a miss, and where a corner's index isn't a row's. All arrays lie in host memory, or all in the memory
+ * of one GPU, where the work is queued on the stream; per_face needs no uv. */
+MASU_API masu_status masu_interpolate(const masu_values* values, const uint32_t* primitive, const float* uv,
+                                      size_t count, float* interpolated);
 
 /* Whether each ray hits anything: 1 or 0. */
 MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count,
@@ -432,17 +480,30 @@ MASU_API masu_status masu_count_hits(const masu_tracer* tracer, const void* rays
 MASU_API masu_status masu_inside(const masu_tracer* tracer, const void* rays, size_t count,
                                  const masu_query* query, uint8_t* inside);
 
-/* The point of the surfaces that is closest to each place. places: 3 numbers each in host memory, floats
+/* The generalised winding number of the triangles about each place, as masu_closest() has them: 1 in a closed
+ * mesh whose fronts are outside, 0 outside; where surfaces are open, overlap or are turned, the sum of what the
+ * place sees of them, signed solid angles over 4 pi. winding: within `bound`, from 0 to 1, but for roundings;
+ * inside: 1 where the number is at least 1/2, else 0, which is exact unless the number is nearer to 1/2 than
+ * `bound`. Either may be NULL; inside alone takes less time. Of a place that masu_closest() finds nothing for
+ * the number is NaN. On the surface it may be that of either side.
+ *
+ * On the CPU, wherever the tracer is, and the same with any number of threads; with another hierarchy numbers
+ * differ within the bound. MASU_ERROR_USAGE where the scene has spheres or cones, with exclude and masks, and
+ * by a tracer that was moved on a GPU. */
+MASU_API masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t count,
+                                  const masu_query* query, double bound, double* winding, uint8_t* inside);
+
+/* The point of the surfaces that is closest to each place. places: 3 numbers each, floats
  * where query->format is MASU_RAYS_FLOAT32, doubles where it is MASU_RAYS_FLOAT64. points: 3 numbers of each
  * closest point, in the places' coordinates; may be NULL. Of `hits`, which may be NULL, t and t64 are the
  * distance, uv and normal those of the point; front must be NULL, for at an edge neither side is nearer
  * (masu_inside() tells). Where there is no surface, or a number of the place is NaN or beyond 1e37, t is
  * infinite and the point NaN. Of primitives at the same distance the one with the lowest index is reported.
  *
- * Of the query, exclude and masks say what isn't looked for; `threads` and `relative` are as for rays. All is
- * computed on the CPU, wherever the tracer is, and in double: off by some roundings of the largest
- * coordinate. Where the tracer's grid isn't a hierarchy, the first call builds one. Not by a tracer
- * that was moved on a GPU (MASU_ERROR_USAGE). */
+ * Places and results lie where rays and results may, and are queued likewise (masu_nearest()). Of the query,
+ * exclude and masks say what isn't looked for; `threads`, `relative` and `stream` are as for rays. All is
+ * computed in double: off by some roundings of the largest coordinate. Where the tracer's grid isn't a
+ * hierarchy, the first call builds one, and on GPUs puts the scene there once more. */
 MASU_API masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t count,
                                   const masu_query* query, const masu_hits* hits, double* points);
 

@@ -116,16 +116,22 @@ public:
     return Scene(made<masu_scene>([&](masu_scene** scene) { return masu_scene_read(path.c_str(), scene); }));
   }
 
-  void write(const std::string& path) const { check(masu_scene_write(get(), path.c_str())); }
+  void write(const std::string& path) const { masu::check(masu_scene_write(get(), path.c_str())); }
   masu_scene_description describe() const {
     auto description = sized<masu_scene_description>();
-    check(masu_scene_describe(get(), &description));
+    masu::check(masu_scene_describe(get(), &description));
     return description;
   }
   masu_primitive primitive(std::uint32_t index) const {
     auto primitive = sized<masu_primitive>();
-    check(masu_scene_primitive(get(), index, &primitive));
+    masu::check(masu_scene_primitive(get(), index, &primitive));
     return primitive;
+  }
+  // What is wrong with its triangles as a mesh (masu_scene_check).
+  masu_mesh_check check() const {
+    auto found = sized<masu_mesh_check>();
+    masu::check(masu_scene_check(get(), &found));
+    return found;
   }
 
   masu_scene* get() const { return handle_.get(); }
@@ -346,6 +352,19 @@ public:
     hits.primitive = found.primitive.data();
     closest(std::ranges::data(places), count, hits,
             found.point.empty() ? nullptr : found.point.front().data(), options);
+    return found;
+  }
+
+  // The winding numbers about places, in host memory (masu_winding()).
+  template <std::ranges::contiguous_range Places>
+  std::vector<double> winding(const Places& places, double bound = 1e-3,
+                              const QueryOptions& options = {}) const {
+    using Number = std::ranges::range_value_t<std::ranges::range_value_t<Places>>;
+    const masu_query query =
+        query_of<std::conditional_t<std::same_as<Number, float>, masu_ray, masu_ray64>>(options);
+    std::vector<double> found(std::ranges::size(places));
+    check(masu_winding(handle_.get(), std::ranges::data(places), found.size(), &query, bound, found.data(),
+                       nullptr));
     return found;
   }
 

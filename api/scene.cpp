@@ -5,6 +5,7 @@
 #include "libscene/cuda/host_copies.h"
 #include "libscene/geometry/intersect.h"
 #include "libscene/mesh/indexed_mesh.h"
+#include "libscene/mesh/mesh_check.h"
 #include "libscene/mesh/move_passes.h"
 #include "libscene/passes/host_executor.h"
 #include "objects.h"
@@ -109,6 +110,17 @@ SceneVertices vertices_of(const std::vector<IndexedMesh>& meshes) {
     first_vertex += mesh.vertices;
   }
   return all;
+}
+
+masu_faults faults_of(const MeshFaults& found) {
+  masu_faults faults{};
+  faults.count = found.count;
+  static_assert(std::size(decltype(faults.primitives){}) == decltype(found.first){}.size());
+  for (std::size_t i = 0; i < found.examples(); ++i) {
+    faults.primitives[i] = found.first[i] / 3;
+    faults.corners[i] = found.first[i] % 3;
+  }
+  return faults;
 }
 
 template <class Stored, class Number>
@@ -232,6 +244,17 @@ masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_p
                           m.refraction_index},
            primitive, "masu_primitive");
     });
+  });
+}
+
+masu_status masu_scene_check(const masu_scene* scene, masu_mesh_check* check) {
+  return guarded([&] {
+    require(scene, "scene");
+    const MeshCheck found = scene->file->with_view([](const auto& view) { return check_mesh(view); });
+    give(masu_mesh_check{sizeof(masu_mesh_check), found.points, found.edges, faults_of(found.open),
+                         faults_of(found.inconsistent), faults_of(found.nonmanifold),
+                         faults_of(found.no_area), faults_of(found.duplicates)},
+         check, "masu_mesh_check");
   });
 }
 }

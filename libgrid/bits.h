@@ -4,9 +4,18 @@
 
 #include "libscene/base/portable.h"
 
+#include <bit>
 #include <cstdint>
 
 namespace masu {
+
+MASU_HD inline std::uint32_t count_bits(std::uint32_t bits) {
+#ifdef __CUDA_ARCH__
+  return static_cast<std::uint32_t>(__popc(bits));
+#else
+  return static_cast<std::uint32_t>(std::popcount(bits));
+#endif
+}
 
 // `bits` with the highest `count` bits of `from` after them; 0 ≤ count < 32.
 MASU_HD inline std::uint32_t appended(std::uint32_t bits, std::uint32_t from, std::int32_t count) {

@@ -7,6 +7,7 @@
 #include "libscene/file/scene_file.h"
 #include "libscene/mesh/vertices.h"
 #include "renderer/frame.h"
+#include "renderer/rays/interpolation.h"
 #include "renderer/rays/ray_list.h"
 
 #include <algorithm>
@@ -79,5 +80,9 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
 QueryReport launch_rays_cuda(const DeviceFiles& files, const RayList& rays, const RayResults& results,
                              const RaysRequest& request, void* stream);
 QueryReport time_rays_cuda(const DeviceFiles& files, const ResidentRays& rays, const RaysRequest& request);
+
+// Puts it on a stream of a device, where all arrays lie.
+void interpolate_cuda(const CornerValues& values, const InterpolatedHits& hits, std::size_t count, int device,
+                      void* stream);
 
 } // namespace masu

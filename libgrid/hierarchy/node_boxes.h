@@ -2,6 +2,7 @@
 // (hierarchy.h).
 #pragma once
 
+#include "libgrid/bits.h"
 #include "libgrid/hierarchy/hierarchy.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/scene_view.h"
@@ -24,13 +25,6 @@ MASU_HD Boxf box_of_primitive(const SceneView<Stored>& scene, PrimitiveIndex ind
   Boxf box = empty_box<float>();
   with_primitive(scene, index, [&](const auto& primitive) { box = box_around(bounds(primitive), margin); });
   return box;
-}
-
-MASU_HD inline std::uint32_t count_bits(std::uint32_t bits) {
-  std::uint32_t count = 0;
-  for (; bits != 0; bits &= bits - 1)
-    ++count;
-  return count;
 }
 
 // Half of the surface: what SAH compares.

@@ -4,6 +4,7 @@
 // that a box is passed over only if it is farther than the closest point by more than their roundings.
 #pragma once
 
+#include "libgrid/bits.h"
 #include "libgrid/trace/hits_in_order.h"
 #include "libscene/geometry/closest_point.h"
 
@@ -30,17 +31,34 @@ struct ClosestSearch {
       : scene(scene_), place(place_), filter(filter_),
         slack(0x1p-44 * (largest_magnitude(place_) + static_cast<double>(largest_magnitude(scene_.clip)))) {}
 
-  MASU_HD void primitive(PrimitiveIndex number) {
+  MASU_HD void primitive(PrimitiveIndex number) { keep(number, SceneRecord<Stored>{scene, number}); }
+  // Of LeafHierarchyView.
+  MASU_HD void leaf(const Leaf<Stored>* address) {
+    const Leaf<Stored> leaf = fetched(address);
+    keep(leaf.primitive(), leaf);
+  }
+
+private:
+  // `from` has the primitive's record: SceneRecord or Leaf.
+  template <class From>
+  MASU_HD void keep(PrimitiveIndex number, const From& from) {
     if (!filter.admits(scene, number)) return;
-    with_primitive(scene, number, [&](const auto& primitive) {
-      if (!has_surface(primitive)) return;
-      const ClosestPoint closest = closest_point(primitive, place);
-      const double best = found.closest.squared;
-      if (!(closest.squared < best || (closest.squared == best && number < found.primitive))) return;
-      found = {closest, number};
-      const double distance = std::sqrt(closest.squared) + slack;
-      farthest = distance * distance;
-    });
+    if (number < scene.triangle_count)
+      keep_closer(number, widened(from.triangle()));
+    else if (number - scene.triangle_count < scene.sphere_count)
+      keep_closer(number, widened(from.sphere()));
+    else
+      keep_closer(number, widened(from.cone()));
+  }
+  template <class Primitive>
+  MASU_HD void keep_closer(PrimitiveIndex number, const Primitive& primitive) {
+    if (!has_surface(primitive)) return;
+    const ClosestPoint closest = closest_point(primitive, place);
+    const double best = found.closest.squared;
+    if (!(closest.squared < best || (closest.squared == best && number < found.primitive))) return;
+    found = {closest, number};
+    const double distance = std::sqrt(closest.squared) + slack;
+    farthest = distance * distance;
   }
 };
 
@@ -50,56 +68,72 @@ MASU_HD inline void search(const NoStructure&, ClosestSearch<Stored>& search) {
     search.primitive(i);
 }
 
-// The squared distances of a node's boxes.
-MASU_HD inline void box_distances(const HierarchyNode& node, const Vec3d& place,
-                                  double (&squared)[boxes_per_node]) {
+// The squared distances of `count` of a node's boxes, from a slot on.
+template <int count>
+MASU_HD inline void box_distances(const HierarchyNode& node, int first, const Vec3d& place,
+                                  double (&squared)[count]) {
   for (double& distance : squared)
     distance = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const auto unit = static_cast<double>(float_of((node.exponents >> (8 * axis) & 0xff) << 23));
     const double from = place[axis] - static_cast<double>(node.origin[axis]);
-    for (int slot = 0; slot < boxes_per_node; ++slot) {
-      const double below = unit * slot_byte(node.low[axis], slot) - from,
-                   above = from - unit * slot_byte(node.high[axis], slot);
+    for (int i = 0; i < count; ++i) {
+      const double below = unit * slot_byte(node.low[axis], first + i) - from,
+                   above = from - unit * slot_byte(node.high[axis], first + i);
       const double away = fast_max(fast_max(below, above), 0.0);
-      squared[slot] += away * away;
+      squared[i] += away * away;
     }
   }
 }
 
-template <class Real, class Stored>
-MASU_HD inline void search(const HierarchyView<Real>& hierarchy, ClosestSearch<Stored>& search) {
-  struct Waiting {
-    double squared;
-    std::uint32_t node;
+// Slots of a node whose boxes are no farther than `farthest`, 4 bits each with the highest set, the nearest
+// lowest.
+MASU_HD inline std::uint32_t slots_in_order(const HierarchyNode& node, const Vec3d& place, double farthest) {
+  double distance[boxes_per_node], sorted[boxes_per_node];
+  box_distances(node, 0, place, distance);
+  std::uint32_t slots = 0;
+  int count = 0;
+  for (int slot = 0; slot < boxes_per_node; ++slot) {
+    const double squared = distance[slot];
+    if (slot_byte(node.slots, slot) == 0 || !(squared <= farthest)) continue;
+    int at = count++;
+    for (; at > 0 && sorted[at - 1] > squared; --at)
+      sorted[at] = sorted[at - 1];
+    sorted[at] = squared;
+    const std::uint32_t nearer = (1U << (4 * at)) - 1;
+    slots = (slots & nearer) | (slots & ~nearer) << 4 | (8U | static_cast<std::uint32_t>(slot)) << (4 * at);
+  }
+  return slots;
+}
+
+// Depth first, of each node the nearest boxes first. A level takes two numbers: a device keeps all levels for
+// each of its threads.
+template <class Hierarchy, class Stored>
+MASU_HD inline void search(const Hierarchy& hierarchy, ClosestSearch<Stored>& search) {
+  struct Level {
+    std::uint32_t node, slots;
   };
-  constexpr int room = max_hierarchy_depth * (boxes_per_node - 1) + 1;
-  Waiting stack[room];
-  int waiting = 0;
-  stack[waiting++] = {0, 0};
-  while (waiting > 0) {
-    const Waiting next = stack[--waiting];
-    if (next.squared > search.farthest) continue;
-    const HierarchyNode& node = hierarchy.nodes[next.node];
-    double squared[boxes_per_node];
-    box_distances(node, search.place, squared);
-    // There is room, but while a mapped file changes: then results are thrown away.
-    if (waiting > room - boxes_per_node) waiting = 0;
-    const int first = waiting;
-    std::uint32_t child = node.first_node;
-    for (int slot = 0; slot < boxes_per_node; ++slot) {
-      const std::uint32_t held = slot_byte(node.slots, slot);
-      if ((node_slots(node) >> slot & 1) != 0) {
-        // Nearest last, from where it is taken.
-        int at = waiting++;
-        for (; at > first && stack[at - 1].squared < squared[slot]; --at)
-          stack[at] = stack[at - 1];
-        stack[at] = {squared[slot], child++};
-      } else if (squared[slot] <= search.farthest) {
-        const std::uint32_t begin = node.first_reference + references_begin(held);
-        for (std::uint32_t i = begin; i < begin + references_in(held); ++i)
-          search.primitive(hierarchy.references[i]);
-      }
+  Level levels[max_hierarchy_depth];
+  levels[0] = {0, slots_in_order(hierarchy.nodes[0], search.place, search.farthest)};
+  for (int depth = 0; depth >= 0;) {
+    Level& level = levels[depth];
+    const HierarchyNode& node = hierarchy.nodes[level.node];
+    const std::uint32_t slot = level.slots & 7;
+    double squared[1] = {NAN};
+    if (level.slots != 0) box_distances(node, static_cast<int>(slot), search.place, squared);
+    if (!(squared[0] <= search.farthest)) {
+      --depth;
+      continue;
+    }
+    level.slots >>= 4;
+    const std::uint32_t held = slot_byte(node.slots, static_cast<int>(slot)), nodes = node_slots(node);
+    if ((nodes >> slot & 1) == 0) {
+      const std::uint32_t begin = node.first_reference + references_begin(held);
+      for (std::uint32_t i = begin; i < begin + references_in(held); ++i)
+        show(hierarchy, i, search);
+    } else if (depth + 1 < max_hierarchy_depth) { // always, but while a mapped file changes
+      const std::uint32_t child = node_in(node.first_node, nodes, slot);
+      levels[++depth] = {child, slots_in_order(hierarchy.nodes[child], search.place, search.farthest)};
     }
   }
 }

@@ -20,8 +20,8 @@ struct NoStructure {};
 enum class StopRule { proven, first_cell };
 
 // nearest_hit: the hit of smallest t. occlusion: whether anything is hit (Embree: any hit). all_hits and
-// count_hits: hits_in_order.h.
-enum class Query { nearest_hit, occlusion, all_hits, count_hits };
+// count_hits: hits_in_order.h. closest_point: of places, not of rays (closest.h).
+enum class Query { nearest_hit, occlusion, all_hits, count_hits, closest_point };
 
 // A structure's rule: as a type where it is known when a program is compiled.
 using Proven = std::integral_constant<StopRule, StopRule::proven>;

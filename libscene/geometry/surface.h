@@ -75,6 +75,18 @@ MASU_HD inline TriangleHit triangle_hit(const PreparedRay<Real>& ray, Real t,
   return {normal, closest.weight_b, closest.weight_c};
 }
 
+// Interpolated between a triangle's corner normals; the geometric one where it has none, or where opposite
+// ones sum to zero.
+template <class Real, class Stored>
+MASU_HD inline Vec3<Real> shading_normal(const SceneView<Stored>& scene, const Triangle<Stored>& triangle,
+                                         const EdgeFunctions<Real>& weights, const Vec3<Real>& geometric) {
+  if (triangle.normals == no_normals) return geometric;
+  const CornerNormals<Stored>& n = scene.normals[triangle.normals];
+  const Vec3<Real> between = interpolate(weights, normalized(cast<Real>(n.a)), normalized(cast<Real>(n.b)),
+                                         normalized(cast<Real>(n.c)));
+  return largest_magnitude(between) > 0 ? normalized(between) : geometric;
+}
+
 template <class Real, class Stored>
 MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const WatertightRay<Real>& ray,
                                              Real, const Triangle<Stored>& triangle) {
@@ -85,14 +97,7 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
   // The rounded edges of a very thin triangle may be parallel: its normal then points against the ray.
   const Vec3<Real> across = cross(b - a, c - a);
   point.normal = normalized(largest_magnitude(across) > 0 ? across : -ray.direction);
-  point.shading = point.normal;
-  if (triangle.normals != no_normals) {
-    const CornerNormals<Stored>& n = scene.normals[triangle.normals];
-    const Vec3<Real> between = interpolate(weights, normalized(cast<Real>(n.a)), normalized(cast<Real>(n.b)),
-                                           normalized(cast<Real>(n.c)));
-    // Opposite normals may sum to zero.
-    if (largest_magnitude(between) > 0) point.shading = normalized(between);
-  }
+  point.shading = shading_normal(scene, triangle, weights, point.normal);
   const Real extent = max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c)));
   const Real size = max(largest_magnitude(b - a), max(largest_magnitude(c - a), largest_magnitude(c - b)));
   point.error = surface_error(Real(16), extent, Real(24), size);

@@ -1,4 +1,5 @@
 #include "renderer/cpu/on_cpu.h"
+#include "renderer/rays/closest_points.h"
 #include "renderer/rays/list_progress.h"
 #ifdef MASU_HOST_AVX2
 #include "renderer/cpu/packet_lists.h"
@@ -31,7 +32,7 @@ trace_in_lanes([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]]
       if (!results.has_attributes() && !may_be_rounded<Real>(rays.format)) return;
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
-      add_skipped(ray.skipped, results, i, 1);
+      to_list(ray.skipped, rays.format.origin, results, i, 1);
     };
     const auto by_list = [&]<class Tests>(Tests, const HierarchyView<Real>& hierarchy) {
       return trace_list<query, Tests>(scene, hierarchy, rays.rays, rays.format, first, end, found);
@@ -72,7 +73,7 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
       add(counts, ray_counts);
       if (query != Query::nearest_hit) continue;
       if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
-      add_skipped(ray.skipped, results, i, 1);
+      to_list(ray.skipped, rays.format.origin, results, i, 1);
     }
     add(totals.local(), counts);
   });
@@ -93,9 +94,26 @@ void list_hits(const SceneView<Stored>& scene, const StructureFile* structure, c
           progress.done(i);
           const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
           write_hits<Method<TestRay, with_all_kinds>>(scene, view, ray.ray, rays.filters, rules, results, i);
-          add_skipped(ray.skipped, results, i * rules.row(), rules.row());
+          to_list(ray.skipped, rays.format.origin, results, i * rules.row(), rules.row());
         }
       });
+}
+
+void find_closest(const SceneFile& scene, const StructureFile* hierarchy, const RayList& places,
+                  const RayResults& results, const std::function<void(double)>& report_progress) {
+  ListProgress progress(report_progress, places.count, 16,
+                        hierarchy == nullptr ? scene.primitive_count() : 0);
+  const auto search = [&](const auto& view, const auto& structure) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.count, 256), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        write_closest(view, structure, places.rays, places.format, places.filters, results, i);
+        progress.done(i);
+      }
+    });
+  };
+  scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    hierarchy == nullptr ? search(view, NoStructure{}) : search(view, hierarchy->hierarchy_view<Stored>());
+  });
 }
 
 } // namespace
@@ -103,6 +121,11 @@ void list_hits(const SceneView<Stored>& scene, const StructureFile* structure, c
 QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* structure, const RayList& rays,
                            const RayResults& results, const RaysRequest& request) {
   QueryReport report;
+  if (request.query == Query::closest_point) {
+    report.seconds.trace =
+        seconds_of([&] { find_closest(scene, structure, rays, results, request.progress); });
+    return report;
+  }
   if (needs_hits_in_order(rays, results, request)) {
     with_store_and_arithmetic(
         scene, request.tracing.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {

@@ -43,5 +43,8 @@ QueryReport launch_rays_cuda(const DeviceFiles&, const RayList&, const RayResult
 QueryReport time_rays_cuda(const DeviceFiles&, const ResidentRays&, const RaysRequest&) {
   refuse();
 }
+void interpolate_cuda(const CornerValues&, const InterpolatedHits&, std::size_t, int, void*) {
+  refuse();
+}
 
 } // namespace masu

@@ -24,7 +24,7 @@ struct ResultArray {
   std::size_t bytes_per_ray;
   bool page_locked;
 };
-using ResultArrays = std::array<ResultArray, 13>;
+using ResultArrays = std::array<ResultArray, 15>;
 
 // `row`: elements per ray of the arrays of hits. In place, they are copied from the buffers.
 ResultArrays arrays_of(const RayResults& results, std::size_t row, bool in_place) {

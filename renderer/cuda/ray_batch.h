@@ -42,6 +42,10 @@ template <class Real, class Stored>
 void launch_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
                        const RayResults& results);
 
+// Of places in device memory, whichever store and structure; by launch_rays().
+KernelSize launch_closest(const DeviceFiles& files, const RayList& places, const RayResults& results,
+                          cudaStream_t stream, cudaEvent_t begun);
+
 // Puts a query of rays in the memory of the files' device, the current one, on a stream. Counts are added to
 // `counts` there, where that isn't null. `begun`, where it isn't null, is recorded when memory is there and
 // the kernels come. Throws Error(device).

@@ -18,15 +18,17 @@ const Ray<Real>* converted(const RayList& list, const Box<Stored>& box, const St
   return to;
 }
 
-// Of traced rays, with `row` elements each.
+// to_list() of traced rays, with `row` elements each.
 template <class Real, class Stored>
-void launch_skipped(const RayList& list, const Box<Stored>& box, const RayResults& results, std::uint32_t row,
+void launch_to_list(const RayList& list, const Box<Stored>& box, const RayResults& results, std::uint32_t row,
                     const StreamMemory& memory) {
-  if (!may_be_rounded<Real>(list.format) || (results.t == nullptr && results.t64 == nullptr)) return;
+  const bool may_be_skipped =
+      may_be_rounded<Real>(list.format) && (results.t != nullptr || results.t64 != nullptr);
+  if (!may_be_skipped && results.position == nullptr) return;
   const void* const rays = list.rays;
   const RayFormat format = list.format;
   for_each_on_device(list.count, memory.stream, [=] __device__(std::uint64_t i) {
-    add_skipped(listed_ray<Real>(rays, format, i, box).skipped, results, i * row, row);
+    to_list(listed_ray<Real>(rays, format, i, box).skipped, format.origin, results, i * row, row);
   });
 }
 
@@ -36,6 +38,7 @@ KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayR
                        const RaysRequest& request, Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
   KernelSize size{};
   if (rays.count == 0) return size;
+  if (request.query == Query::closest_point) return launch_closest(files, rays, results, stream, begun);
   const StreamMemory memory{stream, files.memory->pool};
   files.with_arithmetic(
       request.tracing.precision,
@@ -48,7 +51,7 @@ KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayR
           if (needs_hits_in_order(rays, results, request)) {
             size = launch_hits<TestRay>(stored, hit_rules(request), rays.filters,
                                         RayBatch<Real>{own, rays.count, results, nullptr, memory, begun});
-            launch_skipped<Real>(rays, box, results, hit_rules(request).row(), memory);
+            launch_to_list<Real>(rays, box, results, hit_rules(request).row(), memory);
             return;
           }
         }
@@ -62,7 +65,7 @@ KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayR
         const RayBatch<Real> batch{own, rays.count, found, counts, memory, begun};
         size = launch_batch<TestRay>(stored, request, batch);
         if (has_attributes) launch_attributes(stored, batch, results);
-        if (request.query == Query::nearest_hit) launch_skipped<Real>(rays, box, results, 1, memory);
+        if (request.query == Query::nearest_hit) launch_to_list<Real>(rays, box, results, 1, memory);
       });
   return size;
 }

@@ -1,28 +1,48 @@
-// Lists of places, and the points of a scene's surfaces that are closest to them: on the CPU.
+// Lists of places, and the points of a scene's surfaces that are closest to them. One definition for both
+// backends.
 #pragma once
 
-#include "renderer/tracer/tracer.h"
+#include "libgrid/trace/closest.h"
+#include "renderer/rays/hit_list.h"
 
 namespace masu {
 
-// Places in host memory, 3 numbers each: in the world, or relative to the scene's origin.
-struct PlaceList {
-  const void* places = nullptr;
-  std::size_t count = 0;
-  bool is_float64 = false, is_relative = false;
-  RayFilters filters{}; // as of rays
-};
+// Place i of a list, which has 3 numbers each, or is the origins of rays; relative to the scene's origin.
+MASU_HD inline Vec3d place_at(const void* places, const RayFormat& format, std::size_t i) {
+  const auto place = [first = i * static_cast<std::size_t>(format.numbers)](const auto* numbers) {
+    return Vec3d{static_cast<double>(numbers[first]), static_cast<double>(numbers[first + 1]),
+                 static_cast<double>(numbers[first + 2])};
+  };
+  return (format.is_float64 ? place(static_cast<const double*>(places))
+                            : place(static_cast<const float*>(places))) -
+         format.origin;
+}
 
-// Writes the distance of each place as t and t64, and primitive, object, face, (u, v) and the normal of the
-// closest point as RayResults has them; and the point, in the list's coordinates. Where there is none they
-// are infinity, no_primitive, 0 and NaN. Of primitives that are as far the lowest index is taken. All is
-// computed in double, whatever the scene is stored in.
-//
-// `hierarchy`: of the scene; null: every primitive is tried. `progress`: as RaysRequest has it. Throws
-// Error(usage) for filters of another scene, and for a scene with coordinates beyond max_closest
-// (libgrid/trace/closest.h).
-void closest_points(const SceneFile& scene, const StructureFile* hierarchy, const PlaceList& places,
-                    const RayResults& results, double (*points)[3],
-                    const std::function<void(double)>& progress = {});
+// Writes the distance of place i as t and t64, and what RayResults has besides of the closest point, but for
+// `front`; where there is none, as of a miss. Structure: a hierarchy of the scene, or NoStructure.
+template <class Stored, class Structure>
+MASU_HD inline void write_closest(const SceneView<Stored>& scene, const Structure& structure,
+                                  const void* places, const RayFormat& format, const RayFilters& filters,
+                                  const RayResults& results, std::size_t i) {
+  const HitFilter filter = filters.of(i);
+  const auto [closest, primitive] = closest_primitive(scene, structure, place_at(places, format, i), filter);
+  const double distance = std::sqrt(closest.squared);
+  if (results.t != nullptr) results.t[i] = static_cast<float>(distance);
+  if (results.t64 != nullptr) results.t64[i] = distance;
+  if (results.primitive != nullptr) results.primitive[i] = primitive;
+  HitAttributes found;
+  if (primitive != no_primitive) {
+    const double length = std::sqrt(dot(closest.normal, closest.normal));
+    const Vec3d normal = length > 0 ? closest.normal * (1 / length) : closest.normal;
+    found.object = surface_of(scene, primitive).object;
+    found.face = face_of(scene, primitive);
+    if (primitive < scene.triangle_count)
+      set_on_triangle(found, scene, *scene.triangle(primitive), normal, closest.weight_b, closest.weight_c);
+    else
+      found.normal = found.shading = cast<float>(normal);
+    found.position = closest.point + format.origin;
+  }
+  write_attributes(found, results, i);
+}
 
 } // namespace masu

@@ -14,7 +14,7 @@
 
 namespace masu {
 
-// Rays in memory, stored as ray_query.h says.
+// Rays in memory, stored as ray_query.h says; or places (closest_points.h).
 struct RayList {
   const void* rays = nullptr;
   std::size_t count = 0;
@@ -62,6 +62,7 @@ struct RaysRequest {
 
 // Whether hits are found in their order (hit_list.h), by `robust` or `double`, and aren't counted.
 inline bool needs_hits_in_order(const RayList& rays, const RayResults& results, const RaysRequest& request) {
+  if (request.query == Query::closest_point) return false;
   return request.query == Query::all_hits || request.query == Query::count_hits ||
          request.faces != Faces::both || rays.filters.any() || results.t64 != nullptr ||
          results.front != nullptr;

@@ -7,13 +7,16 @@
 #include "libscene/geometry/surface.h"
 #include "renderer/counts.h"
 
+#include <limits>
+
 namespace masu {
 
 // --- Rays as callers store them ----------------------------------------------------------------------------
 
 // Numbers of 32 or 64 bits, 8 per ray: origin, t_min, direction, t_max (Ray<float>, Ray<double>); or 6:
-// origin and direction, with t_min = 0 and no t_max. Origins are in the world, or relative to the scene's
-// local origin (local_origin.h). `origin` is what is subtracted from them, in float64: a tracer fills it in.
+// origin and direction, with t_min = 0 and no t_max; or of places 3. Origins are in the world, or relative to
+// the scene's local origin (local_origin.h). `origin` is what is subtracted from them, in float64: a tracer
+// fills it in.
 struct RayFormat {
   int numbers = 8;
   bool is_float64 = false;
@@ -195,9 +198,11 @@ MASU_HD inline ListedRay<Real> listed_ray(const void* rays, const RayFormat& for
 // nearest_hit writes t (in lengths of the direction; infinity for a miss) and primitive (its index in the
 // scene file; no_primitive for a miss); besides, its object (index in the NFF text), face (intersect.h),
 // barycentric coordinates (u, v) on a triangle, so that the point is (1 - u - v) a + u b + v c, and the
-// geometric normal, of unit length, on the primitive's front; no_primitive and zeros for a miss, zeros for u
-// and v on other kinds. occlusion writes 1 or 0. `costs` is written where rays are counted
-// (TracingRules::count). t64: t with all digits that the arithmetic has; front: 1 where the front is met.
+// geometric normal, of unit length, on the primitive's front; the shading normal, interpolated where its
+// corners have normals; and the point of the primitive that is hit, in the list's coordinates; no_primitive
+// and zeros for a miss, and of the point NaN; zeros for u and v on other kinds. occlusion writes 1 or 0.
+// `costs` is written where rays are counted (TracingRules::count). t64: t with all digits that the arithmetic
+// has; front: 1 where the front is met.
 //
 // all_hits writes a row of HitRules::limit elements per ray, the hits in their order and then misses; count:
 // how many hits there are, at most `limit` of them. count_hits writes count, of all, and inside: 1 where one
@@ -212,24 +217,29 @@ struct RayResults {
   float (*uv)[2] = nullptr;
   float (*normal)[3] = nullptr;
   std::uint8_t* front = nullptr;
+  double (*position)[3] = nullptr;
+  float (*shading)[3] = nullptr;
   std::uint32_t* count = nullptr;
   std::uint8_t* inside = nullptr;
   std::uint8_t* occluded = nullptr;
   RayCosts costs{};
 
   MASU_HD bool has_attributes() const {
-    return object != nullptr || face != nullptr || uv != nullptr || normal != nullptr;
+    return object != nullptr || face != nullptr || uv != nullptr || normal != nullptr ||
+           position != nullptr || shading != nullptr;
   }
 };
 
 // Calls act(array) for each of a list's results; the first arrays_of_hits have an element per hit, the others
 // one per ray.
-inline constexpr std::size_t arrays_of_hits = 8;
+inline constexpr std::size_t arrays_of_hits = 10;
 template <class Results, class Act>
 void for_each_array(Results& results, const Act& act) {
   const auto all = [&](auto&... arrays) { (act(arrays), ...); };
-  auto& [t, t64, primitive, object, face, uv, normal, front, count, inside, occluded, costs] = results;
-  all(t, t64, primitive, object, face, uv, normal, front, count, inside, occluded, costs.cells, costs.tests);
+  auto& [t, t64, primitive, object, face, uv, normal, front, position, shading, count, inside, occluded,
+         costs] = results;
+  all(t, t64, primitive, object, face, uv, normal, front, position, shading, count, inside, occluded,
+      costs.cells, costs.tests);
 }
 
 // What is reported of a ray that was scaled and clipped: `nearest` is at t_max where nothing was hit.
@@ -239,9 +249,14 @@ MASU_HD inline Hit<float> reported(const Hit<Real>& nearest, Real t_max, Real sk
   return {static_cast<float>((nearest.t + skipped) * scale), nearest.primitive};
 }
 
-// Adds what listed_ray() skipped to the t of so many elements.
-MASU_HD inline void add_skipped(double skipped, const RayResults& results, std::size_t first,
-                                std::uint32_t count) {
+// Has so many elements count from a list's ray and in its coordinates: adds what listed_ray() skipped to
+// their t, and the origin that was subtracted to their positions.
+MASU_HD inline void to_list(double skipped, const Vec3d& origin, const RayResults& results, std::size_t first,
+                            std::uint32_t count) {
+  if (results.position != nullptr)
+    for (std::size_t i = first; i < first + count; ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        if (double& at = results.position[i][axis]; at == at) at += origin[axis]; // the bits of NaN stay
   if (skipped == 0) return;
   for (std::size_t i = first; i < first + count; ++i) {
     if (results.t != nullptr) results.t[i] = static_cast<float>(static_cast<double>(results.t[i]) + skipped);
@@ -280,7 +295,10 @@ MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Str
 struct HitAttributes {
   std::uint32_t object = no_primitive, face = no_primitive;
   float u = 0, v = 0;
-  Vec3f normal{0, 0, 0};
+  Vec3f normal{0, 0, 0}, shading{0, 0, 0};
+  Vec3d position{not_a_number, not_a_number, not_a_number};
+
+  static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 };
 MASU_HD inline void write_attributes(const HitAttributes& hit, const RayResults& results, std::size_t i) {
   if (results.object != nullptr) results.object[i] = hit.object;
@@ -294,6 +312,24 @@ MASU_HD inline void write_attributes(const HitAttributes& hit, const RayResults&
     results.normal[i][1] = hit.normal.y;
     results.normal[i][2] = hit.normal.z;
   }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (results.position != nullptr) results.position[i][axis] = hit.position[axis];
+    if (results.shading != nullptr) results.shading[i][axis] = hit.shading[axis];
+  }
+}
+
+// Of the point of a triangle with these weights of b and c.
+template <class Stored>
+MASU_HD inline void set_on_triangle(HitAttributes& found, const SceneView<Stored>& scene,
+                                    const Triangle<Stored>& triangle, const Vec3d& normal, double u,
+                                    double v) {
+  const EdgeFunctions<double> weights{1 - u - v, u, v};
+  found.normal = cast<float>(normal);
+  found.u = static_cast<float>(u);
+  found.v = static_cast<float>(v);
+  found.shading = cast<float>(shading_normal(scene, triangle, weights, normal));
+  found.position =
+      interpolate(weights, cast<double>(triangle.a), cast<double>(triangle.b), cast<double>(triangle.c));
 }
 
 // Writes the attributes of a hit as element i; of a miss where `near` has no primitive.
@@ -306,12 +342,13 @@ MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearH
     found.object = surface_of(scene, primitive).object;
     found.face = face_of(scene, primitive);
     if (primitive < scene.triangle_count) {
-      const TriangleHit hit = triangle_hit(near.ray, near.hit.t, *scene.triangle(primitive));
-      found.normal = cast<float>(hit.normal);
-      found.u = static_cast<float>(hit.u);
-      found.v = static_cast<float>(hit.v);
+      const Triangle<Stored>& triangle = *scene.triangle(primitive);
+      const TriangleHit hit = triangle_hit(near.ray, near.hit.t, triangle);
+      set_on_triangle(found, scene, triangle, hit.normal, hit.u, hit.v);
     } else {
-      found.normal = cast<float>(surface_at<with_spheres | with_cones>(scene, near).normal);
+      const auto point = surface_at<with_spheres | with_cones>(scene, near);
+      found.normal = found.shading = cast<float>(point.normal);
+      found.position = cast<double>(point.position);
     }
   }
   write_attributes(found, results, i);

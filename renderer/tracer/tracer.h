@@ -62,6 +62,9 @@ public:
   QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
   QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
                     std::size_t index) const;
+  // Query::closest_point is of places, through a hierarchy or none: Error(usage) for a grid, and for a scene
+  // with coordinates beyond max_closest.
+  //
   // On a GPU, rays and results in its memory, any alignment of a number; on the CPU as trace(). The query is
   // put on the stream, a cudaStream_t, and nobody waits for it: the report has the kernel alone, and neither
   // counting nor costs are possible. `gpu`: the number of the GPU in whose memory they lie, one of gpus().

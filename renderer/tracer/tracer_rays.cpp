@@ -2,6 +2,7 @@
 #include "libscene/base/error.h"
 #include "libscene/base/on_threads.h"
 #include "renderer/backend.h"
+#include "renderer/rays/closest_points.h"
 #include "renderer/tracer/tracer.h"
 
 #include <fmt/format.h>
@@ -44,9 +45,17 @@ void check_results(const RayList& rays, const RayResults& results, Query query) 
   const std::size_t number = rays.format.is_float64 ? sizeof(double) : sizeof(float);
   if (reinterpret_cast<std::uintptr_t>(rays.rays) % number != 0)
     fail("aren't aligned as their numbers must be");
-  if (rays.format.numbers != 6 && rays.format.numbers != 8) fail("have 6 or 8 numbers each");
+  const bool are_places = query == Query::closest_point && rays.format.numbers == 3;
+  if (!are_places && rays.format.numbers != 6 && rays.format.numbers != 8) fail("have 6 or 8 numbers each");
   if (query == Query::occlusion && results.occluded == nullptr)
     fail("have no array for whether they are occluded");
+}
+
+void check_closest(const SceneFile& scene, const StructureFile* structure) {
+  if (structure != nullptr && !structure->is_hierarchy())
+    throw Error(ErrorCode::usage, "structure", "is a grid: closest points are found through a hierarchy");
+  if (const Boxd bounds = scene.bounds(); !is_empty(bounds) && largest_magnitude(bounds) > max_closest)
+    throw Error(ErrorCode::usage, "scene", "has coordinates beyond 1e37, too large for distances");
 }
 
 void check_hits_in_order(const RaysRequest& request, const RayResults& results) {
@@ -83,6 +92,7 @@ RaysRequest ResidentTracer::resolved(const RaysRequest& request, const RayList& 
   check_filters(rays.filters, scene_.counts().objects);
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
+  if (request.query == Query::closest_point) check_closest(scene_, structure_);
   if (needs_hits_in_order(rays, results, request)) check_hits_in_order(resolved_request, results);
   if (results.costs.wanted()) resolved_request.tracing.count = true;
   return resolved_request;

@@ -14,16 +14,22 @@
 // In arrays of that kind, which are made of a count and have data().
 template <template <class...> class Array>
 struct FoundIn {
-  Array<float> t, uv, normal;
+  Array<float> t, uv, normal, shading;
+  Array<std::uint64_t> position; // the bits: NaN is itself
   Array<std::uint32_t> primitive, object, face;
   Array<std::uint8_t> occluded;
 
   explicit FoundIn(std::size_t n)
-      : t(n), uv(2 * n), normal(3 * n), primitive(n), object(n), face(n), occluded(n) {}
+      : t(n), uv(2 * n), normal(3 * n), shading(3 * n), position(3 * n), primitive(n), object(n), face(n),
+        occluded(n) {}
 
   masu_hits hits() {
-    return {sizeof(masu_hits), t.data(),    primitive.data(), object.data(), uv.data(),
-            normal.data(),     face.data(), nullptr,          nullptr};
+    return {sizeof(masu_hits), t.data(),
+            primitive.data(),  object.data(),
+            uv.data(),         normal.data(),
+            face.data(),       nullptr,
+            nullptr,           reinterpret_cast<double*>(position.data()),
+            shading.data()};
   }
   void find(const masu_tracer* tracer, const void* rays, std::size_t n, const masu_query& query) {
     const masu_hits to = hits();
@@ -38,6 +44,8 @@ inline void expect_same(const Found& a, const Found& b) {
   EXPECT_EQ(a.t, b.t);
   EXPECT_EQ(a.uv, b.uv);
   EXPECT_EQ(a.normal, b.normal);
+  EXPECT_EQ(a.shading, b.shading);
+  EXPECT_EQ(a.position, b.position);
   EXPECT_EQ(a.primitive, b.primitive);
   EXPECT_EQ(a.object, b.object);
   EXPECT_EQ(a.face, b.face);

@@ -116,6 +116,8 @@ TEST_F(Interrupt, QueriesByBruteForceEndWhereTheProgramSaysSo) {
     expect_ended_query([&](const masu_query* q) { return masu_count_hits(by, from, n, q, counts.data()); });
     expect_ended_query([&](const masu_query* q) { return masu_inside(by, from, n, q, bytes.data()); });
     expect_ended_query([&](const masu_query* q) { return masu_closest(by, from, n, q, &hits64, nullptr); });
+    expect_ended_query(
+        [&](const masu_query* q) { return masu_winding(by, from, n, q, 0, t64.data(), nullptr); });
   }
   const std::vector<masu_ray> few(rays.begin(), rays.begin() + 50);
   EXPECT_TRUE(found_by(tracer, few) == found_by(masu::Tracer(scene), few));

@@ -107,6 +107,8 @@ protected:
     copy.t = found.t.host(n);
     copy.uv = found.uv.host(2 * n);
     copy.normal = found.normal.host(3 * n);
+    copy.shading = found.shading.host(3 * n);
+    copy.position = found.position.host(3 * n);
     copy.primitive = found.primitive.host(n);
     copy.object = found.object.host(n);
     copy.face = found.face.host(n);
@@ -168,6 +170,164 @@ TEST_F(LibraryOnGpu, ListsTheCpusHits) {
   EXPECT_EQ(cudaStreamSynchronize(nullptr), cudaSuccess);
   EXPECT_TRUE((Lists{t.host(limit * n), primitive.host(limit * n), counts.host(n), all.host(n),
                      front.host(limit * n), inside.host(n)} == expected));
+}
+
+// In host memory, few and more than a piece, and in the GPU's; of floats and doubles, with and without
+// filters, through a hierarchy, a grid and neither, and after an update.
+TEST_F(LibraryOnGpu, FindsTheCpusClosestPoints) {
+  struct Closest {
+    std::vector<float> t, uv, normal, shading;
+    std::vector<std::uint64_t> t64, position; // bits
+    std::vector<std::uint32_t> primitive, object, face;
+    bool operator==(const Closest&) const = default;
+  };
+  const auto find = [](const masu::Tracer& tracer, const void* places, std::size_t n, const masu_query& query,
+                       auto& t, auto& uv, auto& normal, auto& shading, auto& t64, auto& position,
+                       auto& primitive, auto& object, auto& face) {
+    const masu_hits hits{sizeof hits, t.data(),      primitive.data(), object.data(),
+                         uv.data(),   normal.data(), face.data(),      reinterpret_cast<double*>(t64.data()),
+                         nullptr,     nullptr,       shading.data()};
+    EXPECT_EQ(
+        masu_closest(tracer.get(), places, n, &query, &hits, reinterpret_cast<double*>(position.data())),
+        MASU_OK)
+        << masu_error();
+  };
+  const auto in_host = [&](const masu::Tracer& tracer, const void* places, std::size_t n,
+                           const masu_query& query) {
+    Closest c{std::vector<float>(n),         std::vector<float>(2 * n),     std::vector<float>(3 * n),
+              std::vector<float>(3 * n),     std::vector<std::uint64_t>(n), std::vector<std::uint64_t>(3 * n),
+              std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n)};
+    find(tracer, places, n, query, c.t, c.uv, c.normal, c.shading, c.t64, c.position, c.primitive, c.object,
+         c.face);
+    return c;
+  };
+  const auto on_gpu = [&](const masu::Tracer& tracer, const void* places, std::size_t n,
+                          const masu_query& query) {
+    const Device<float> t(n), uv(2 * n), normal(3 * n), shading(3 * n);
+    const Device<std::uint64_t> t64(n), position(3 * n);
+    const Device<std::uint32_t> primitive(n), object(n), face(n);
+    find(tracer, places, n, query, t, uv, normal, shading, t64, position, primitive, object, face);
+    EXPECT_EQ(cudaStreamSynchronize(static_cast<cudaStream_t>(query.stream)), cudaSuccess);
+    return Closest{t.host(n),           uv.host(2 * n), normal.host(3 * n),
+                   shading.host(3 * n), t64.host(n),    position.host(3 * n),
+                   primitive.host(n),   object.host(n), face.host(n)};
+  };
+  // Away from zero, with spheres and a cone.
+  std::uniform_real_distribution<float> coordinate(-1, 1);
+  std::vector<float> vertices(9 * 3000), quadrics(4 * 100 + 8);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    vertices[i] = i % 9 < 3 ? 1000 + coordinate(engine_) : vertices[i - 3] + 0.1F * coordinate(engine_);
+  for (std::size_t i = 0; i < quadrics.size(); ++i)
+    quadrics[i] = i < 400 && i % 4 == 3 ? 0.1F : 1000 + coordinate(engine_);
+  quadrics[403] = quadrics[407] = 0.05F;
+  std::vector<std::uint32_t> indices(vertices.size() / 3);
+  std::iota(indices.begin(), indices.end(), 0U);
+  const masu_mesh mesh = masu::mesh(vertices, indices);
+  auto spheres = masu::sized<masu_quadrics>(), cone = spheres;
+  spheres.values = quadrics.data();
+  spheres.count = 100;
+  cone.values = quadrics.data() + 400;
+  cone.count = 1;
+  cudaStream_t stream = nullptr;
+  ASSERT_CUDA(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
+  for (const auto store : {MASU_STORE_FLOAT32, MASU_STORE_FLOAT64}) {
+    auto geometry = masu::sized<masu_geometry>();
+    geometry.meshes = &mesh;
+    geometry.mesh_count = 1;
+    geometry.spheres = &spheres;
+    geometry.sphere_count = 1;
+    geometry.cones = &cone;
+    geometry.cone_count = 1;
+    geometry.store = store;
+    const masu::Scene scene(geometry);
+    masu::Tracer cpu(scene), gpu(scene, 0);
+    masu_build_options grid_options = masu::default_build_options();
+    grid_options.structure = MASU_STRUCTURE_GRID;
+    const masu::Grid grid(scene, grid_options);
+    const int first = 0;
+    const masu::Tracer by_grid(scene, grid, 0), brute_force(scene, nullptr, {&first, 1}, true);
+    const auto compare = [&](std::size_t n, bool others) {
+      std::vector<double> places64;
+      std::vector<std::uint32_t> exclude(n), masks(n);
+      for (std::size_t i = 0; i < n; ++i) {
+        for (int axis = 0; axis < 3; ++axis)
+          places64.push_back(static_cast<double>(1000 + 3 * coordinate(engine_)));
+        if (engine_() % 50 == 0) places64.back() = std::nan("");
+        exclude[i] = static_cast<std::uint32_t>(engine_() % 3200);
+        masks[i] = static_cast<std::uint32_t>(engine_() % 8);
+      }
+      const std::vector<float> places(places64.begin(), places64.end());
+      const std::vector<std::uint32_t> object_masks{1, 2, 4};
+      const Device<double> device64(places64);
+      const Device<float> device(places);
+      const Device<std::uint32_t> device_exclude(exclude), device_masks(masks), device_objects(object_masks);
+      for (const bool filtered : {false, true}) {
+        auto query = masu::sized<masu_query>();
+        const auto filter = [&](const auto& excluded, const auto& of_objects, const auto& of_rays) {
+          if (!filtered) return;
+          query.exclude = excluded.data();
+          query.object_masks = of_objects.data();
+          query.object_count = 3;
+          query.ray_masks = of_rays.data();
+        };
+        for (const bool is_float64 : {false, true}) {
+          const void* const list = is_float64 ? static_cast<const void*>(places64.data()) : places.data();
+          query.format = is_float64 ? MASU_RAYS_FLOAT64 : MASU_RAYS_FLOAT32;
+          query.stream = nullptr;
+          filter(exclude, object_masks, masks);
+          const Closest expected = in_host(cpu, list, n, query);
+          EXPECT_TRUE(in_host(gpu, list, n, query) == expected);
+          if (others) {
+            EXPECT_TRUE(in_host(by_grid, list, n, query) == expected);
+            EXPECT_TRUE(in_host(brute_force, list, n, query) == expected);
+          }
+          query.stream = stream;
+          filter(device_exclude, device_objects, device_masks);
+          EXPECT_TRUE(on_gpu(gpu, is_float64 ? static_cast<const void*>(device64.data()) : device.data(), n,
+                             query) == expected);
+        }
+      }
+    };
+    for (const std::size_t n : {std::size_t{1}, std::size_t{4096}, std::size_t{20'000}})
+      compare(n, true);
+    if (store == MASU_STORE_FLOAT32) compare(1'300'000, false);
+    for (float& v : vertices)
+      v += 0.05F * coordinate(engine_);
+    cpu.update(vertices);
+    gpu.update(vertices);
+    compare(20'000, false);
+  }
+  ASSERT_CUDA(cudaStreamDestroy(stream));
+}
+
+TEST_F(LibraryOnGpu, InterpolatesTheCpusBits) {
+  const std::size_t n = 100'000, width = 5, rows = 9000;
+  const std::vector<masu_ray> list = rays(n);
+  const Found found = found_by(*cpu_, list);
+  std::vector<float> values(rows * width);
+  for (float& value : values)
+    value = std::uniform_real_distribution<float>(-1, 1)(engine_);
+  std::vector<std::uint32_t> indices(rows);
+  for (std::uint32_t& index : indices)
+    index = static_cast<std::uint32_t>(engine_() % (rows + 10)); // some aren't rows
+  const Device<float> device_values(values), uv(found.uv), on_gpu(n * width);
+  const Device<std::uint32_t> device_indices(indices), primitive(found.primitive);
+  for (const int kind : {0, 1, 2}) {
+    auto of = masu::sized<masu_values>();
+    of.width = width;
+    of.count = rows;
+    of.triangle_count = 3000;
+    of.per_face = kind == 2 ? 1 : 0;
+    of.values = values.data();
+    of.indices = kind == 0 ? indices.data() : nullptr;
+    std::vector<float> expected(n * width);
+    ASSERT_DONE(masu_interpolate(&of, found.primitive.data(), found.uv.data(), n, expected.data()));
+    of.values = device_values.data();
+    EXPECT_EQ(masu_interpolate(&of, primitive.data(), found.uv.data(), n, on_gpu.data()), MASU_ERROR_USAGE);
+    of.indices = kind == 0 ? device_indices.data() : nullptr;
+    ASSERT_DONE(masu_interpolate(&of, primitive.data(), uv.data(), n, on_gpu.data()));
+    EXPECT_TRUE(on_gpu.host(n * width) == expected);
+  }
 }
 
 // By every loop.

@@ -377,8 +377,10 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   EXPECT_TRUE(same(doubles8.data(), MASU_RAYS_FLOAT64));
   // Whatever is left out, the rest is the same.
   Found some(rays.size());
-  const masu_hits only{sizeof(masu_hits), nullptr, nullptr, some.object.data(), nullptr, some.normal.data(),
-                       some.face.data(),  nullptr, nullptr};
+  masu_hits only = masu::sized<masu_hits>();
+  only.object = some.object.data();
+  only.normal = some.normal.data();
+  only.face = some.face.data();
   tracer.nearest(rays.data(), rays.size(), only);
   EXPECT_EQ(some.object, all.object);
   EXPECT_EQ(some.normal, all.normal);
@@ -894,6 +896,29 @@ TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
   EXPECT_EQ(primitive.object, 1U);
   EXPECT_EQ(primitive.color[1], 0.5F);
   EXPECT_EQ(masu_scene_primitive(scene(), 5, &primitive), MASU_ERROR_USAGE);
+}
+
+// Two triangles of a square, the second turned, one of them twice, and one that is a line.
+TEST_F(Library, ChecksMeshes) {
+  const std::vector<float> vertices{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const std::vector<std::uint32_t> indices{0, 1, 2, 0, 3, 2, 2, 1, 0, 3, 3, 1};
+  const masu_mesh_check found = masu::Scene(vertices, indices).check();
+  EXPECT_EQ(found.points, 4U);
+  EXPECT_EQ(found.edges, 5U);
+  ASSERT_EQ(found.open_edges.count, 3U); // of the three at the diagonal, two of the second
+  EXPECT_EQ(found.open_edges.primitives[0], 0U);
+  EXPECT_EQ(found.open_edges.corners[0], 2U);
+  EXPECT_EQ(found.open_edges.primitives[2], 1U);
+  EXPECT_EQ(found.open_edges.corners[2], 1U);
+  EXPECT_EQ(found.inconsistent_edges.count, 0U);
+  ASSERT_EQ(found.nonmanifold_edges.count, 1U);
+  ASSERT_EQ(found.faces_without_area.count, 1U);
+  EXPECT_EQ(found.faces_without_area.primitives[0], 3U);
+  ASSERT_EQ(found.duplicate_faces.count, 1U);
+  EXPECT_EQ(found.duplicate_faces.primitives[0], 2U);
+  EXPECT_EQ(masu_scene_check(nullptr, nullptr), MASU_ERROR_USAGE);
+  masu_mesh_check unsized{};
+  EXPECT_EQ(masu_scene_check(masu::Scene(vertices, indices).get(), &unsized), MASU_ERROR_USAGE);
 }
 
 TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {

@@ -16,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "
 import numpy as np
 
 import masu
-from python_scene import documented_examples, random_generator, random_mesh, random_rays
+from python_scene import cube, documented_examples, random_generator, random_mesh, random_rays
 
 torch = cupy = None  # imported in main()
 
@@ -99,6 +99,46 @@ class Torch(WithTracers):
             for array in hits.values():
                 self.assertEqual(array.device, torch.device("cuda:0"))
             self.same(hits, self.every(self.cpu, rays))
+
+    def test_closest_points_are_found_where_points_lie(self):
+        for points in (self.random.uniform(-1, 2, (70, 30, 3)), self.random.uniform(-1, 2, (500, 3)).astype(np.float32)):
+            expected = self.cpu.closest(points, fields=masu.CLOSEST_FIELDS)
+            self.same(self.gpu.closest(points, fields=masu.CLOSEST_FIELDS), expected)
+            tensor = torch.as_tensor(points, device="cuda:0")
+            found = self.gpu.closest(tensor, fields=masu.CLOSEST_FIELDS)
+            self.assertEqual(found["points"].device, tensor.device)
+            self.same(found, expected)
+            stream = torch.cuda.Stream()
+            found = self.gpu.closest(tensor, fields=masu.CLOSEST_FIELDS, stream=stream)
+            stream.synchronize()
+            self.same(found, expected)
+            self.same({"": self.gpu.inside(tensor)}, {"": self.cpu.inside(points)})
+
+    def test_distances_of_the_other_names_are_found_where_points_lie(self):
+        on_cpu, on_gpu = masu.RaycastingScene(), masu.RaycastingScene(device="cuda:0")
+        for scene in (on_cpu, on_gpu):
+            scene.add_triangles(*cube())
+        points = self.random.uniform(-2, 2, (40, 50, 3)).astype(np.float32)
+        tensor = torch.as_tensor(points, device="cuda:0")
+        for name in ("compute_distance", "compute_signed_distance", "compute_occupancy"):
+            expected = getattr(on_cpu, name)(points)
+            found = getattr(on_gpu, name)(tensor)
+            self.assertEqual(found.device, tensor.device)
+            self.same({name: found}, {name: expected})
+            self.same({name: getattr(on_gpu, name)(points)}, {name: expected})
+            self.same({name: getattr(on_cpu, name)(tensor)}, {name: expected})
+
+    def test_values_are_interpolated_where_they_lie(self):
+        rays = self.lists()[0]
+        values, faces = self.random.uniform(-1, 1, (len(self.mesh[0]), 4)), self.mesh[1]
+        hits = self.cpu.nearest(rays, fields=("primitive_ids", "primitive_uvs"))
+        on_gpu = self.gpu.nearest(torch.as_tensor(rays, device="cuda:0"), fields=("primitive_ids", "primitive_uvs"))
+        expected = masu.interpolate(hits, values, faces)
+        found = masu.interpolate(on_gpu, torch.as_tensor(values, device="cuda:0"),
+                                 torch.as_tensor(faces.astype(np.int64), device="cuda:0"))
+        self.assertEqual(found.device, torch.device("cuda:0"))
+        self.same({"values": found}, {"values": expected})
+        self.assertRaises(ValueError, masu.interpolate, on_gpu, values, faces)
 
     def test_tensors_in_host_memory(self):
         for rays in self.lists(500):

@@ -127,7 +127,7 @@ class Queries(WithFolder):
         self.assertEqual({name: str(array.dtype) for name, array in every.items()},
                          {"t_hit": "float32", "primitive_ids": "int32", "geometry_ids": "int32",
                           "primitive_uvs": "float32", "primitive_normals": "float32", "face_ids": "int32",
-                          "t_hit64": "float64", "front": "bool"})
+                          "t_hit64": "float64", "front": "bool", "positions": "float64", "normals": "float32"})
 
     def test_all_hits_are_counted_and_listed_in_order(self):
         self.made = masu.Scene(*cube())
@@ -171,6 +171,84 @@ class Queries(WithFolder):
             with self.assertRaises(ValueError):
                 wrong()
 
+    def test_positions_are_on_the_primitive_in_the_rays_coordinates(self):
+        vertices, faces = random_mesh(self.random, 300)
+        spheres = np.concatenate([self.random.uniform(0, 1, (20, 3)), np.full((20, 1), 0.1)], 1)
+        away = np.float64([4096, -512, 0])
+        scene = masu.Scene(vertices + away, faces, spheres=spheres + np.append(away, 0))
+        self.assertTrue(any(scene.describe().origin))
+        rays = random_rays(self.random, 3000).astype(np.float64)
+        local = rays.copy()
+        local[:, :3] += away - np.float64(scene.describe().origin)
+        rays[:, :3] += away
+        with masu.Tracer(scene) as tracer:
+            hits = tracer.nearest(rays, fields=masu.FIELDS)
+            kinds = [(hits["primitive_ids"] >= 0) & (hits["primitive_ids"] < 300), hits["primitive_ids"] >= 300]
+            for kind in kinds:
+                self.assertGreater(kind.sum(), 20)
+                points = rays[:, :3] + hits["t_hit64"][:, None] * rays[:, 3:]
+                np.testing.assert_allclose(hits["positions"][kind], points[kind], atol=1e-4)
+            on_face = kinds[0]
+            uv = hits["primitive_uvs"][on_face].astype(np.float64)
+            corners = (vertices + away)[faces[hits["primitive_ids"][on_face]]]
+            weights = np.concatenate([1 - uv.sum(1, keepdims=True), uv], 1)
+            np.testing.assert_allclose((weights[:, :, None] * corners).sum(1), hits["positions"][on_face], atol=1e-6)
+            self.assertTrue(np.isnan(hits["positions"][hits["primitive_ids"] < 0]).all())
+            np.testing.assert_array_equal(hits["normals"], hits["primitive_normals"])
+            relative = tracer.nearest(local, fields="positions", relative=True)["positions"]
+            np.testing.assert_allclose(relative + scene.describe().origin, hits["positions"], atol=1e-9)
+            listed = tracer.all_hits(rays, 2, fields=masu.FIELDS)
+            np.testing.assert_array_equal(listed["positions"][:, 0], hits["positions"])
+
+    def test_normals_are_those_of_corners_interpolated(self):
+        with open(self.file("a.nff"), "w") as file:
+            file.write("f 1 1 1 1 0 0 0 1\npp 3\n0 0 0 0 0 1\n1 0 0 1 0 1\n0 1 0 0 2 0\ns 4 0 0 1\n")
+        corner_normals = np.float64([[0, 0, 1], [0.5 ** 0.5, 0, 0.5 ** 0.5], [0, 1, 0]])
+        rays = np.zeros((1000, 6))
+        rays[:, :2], rays[:, 2], rays[:, 5] = self.random.uniform(0, 1, (1000, 2)) * [6, 1], 5, -1
+        with masu.Tracer(masu.load(self.file("a.nff"))) as tracer:
+            hits = tracer.nearest(rays, fields=masu.FIELDS)
+            closest = tracer.closest(rays[:, :3], fields=masu.CLOSEST_FIELDS)
+        for found in (hits, closest):
+            faces = found["primitive_ids"] == 0
+            self.assertTrue(0 < faces.sum() < 1000)
+            expected = masu.interpolate(found, corner_normals[None])
+            expected /= np.maximum(np.linalg.norm(expected, axis=1, keepdims=True), 1e-30)
+            np.testing.assert_allclose(found["normals"][faces], expected[faces], atol=1e-6)
+            np.testing.assert_array_equal(found["normals"][~faces], found["primitive_normals"][~faces])
+
+    def test_values_are_interpolated(self):
+        tracer, rays = self.tracer_and_rays(2000)
+        vertices, faces = random_mesh(self.random, 200)
+        hits = tracer.all_hits(rays.reshape(40, 50, 6), 3, fields=("primitive_ids", "primitive_uvs"))
+        ids, uvs = hits["primitive_ids"], hits["primitive_uvs"].astype(np.float64)
+        self.assertTrue((ids < 0).any() and (ids >= 0).any())
+        weights = np.concatenate([1 - uvs.sum(-1, keepdims=True), uvs], -1)
+        values = self.random.uniform(-1, 1, (len(vertices), 5))
+        faces = self.random.permutation(faces.ravel()).reshape(-1, 3)
+        for number in (np.float32, np.float64):
+            by_index = masu.interpolate(hits, values.astype(number), faces)
+            self.assertEqual((by_index.dtype, by_index.shape), (np.float32, (40, 50, 3, 5)))
+            expected = np.where((ids >= 0)[..., None], (values[faces][ids] * weights[..., None]).sum(-2), 0)
+            np.testing.assert_allclose(by_index, expected, atol=1e-6)
+            np.testing.assert_array_equal(masu.interpolate(hits, values.astype(number)[faces]), by_index)
+        per_face = values[:len(faces)].astype(np.float32)
+        np.testing.assert_array_equal(masu.interpolate({"primitive_ids": ids}, per_face),
+                                      np.where((ids >= 0)[..., None], per_face[ids], 0))
+        ones = masu.interpolate(hits, np.ones((len(vertices), 1)), faces)
+        np.testing.assert_array_equal(ones[..., 0], ids >= 0)
+        self.assertEqual(masu.interpolate(hits, np.zeros((len(vertices), 0)), faces).shape, (40, 50, 3, 0))
+        beyond = faces.copy()
+        beyond[7] = len(vertices)
+        np.testing.assert_array_equal(masu.interpolate(hits, values, beyond)[ids == 7], 0)
+        np.testing.assert_array_equal(masu.interpolate(hits, values[:0], faces), np.zeros((40, 50, 3, 5)))
+        for wrong in (lambda: masu.interpolate(hits, values[0], faces), lambda: masu.interpolate(hits, values, faces[:, :2]),
+                      lambda: masu.interpolate(hits, np.zeros((5, 2, 3))), lambda: masu.interpolate({**hits, "primitive_uvs": uvs[0]}, values, faces),
+                      lambda: masu.interpolate({"primitive_ids": ids}, values, faces)):
+            self.assertRaises(ValueError, wrong)
+        self.assertRaises(TypeError, masu.interpolate, hits, values, faces.astype(float))
+        self.assertRaises(KeyError, masu.interpolate, {}, values)
+
     def test_closest_points_of_a_cube(self):
         corners, faces = cube()
         points = self.random.uniform(-2, 2, (3, 200, 3))
@@ -205,6 +283,37 @@ class Queries(WithFolder):
         self.assertTrue((closest["primitive_ids"] < 12).all())
         self.assertEqual(closest["points"].dtype, np.float32)
         self.assertRaises(ValueError, scene.compute_distance, np.zeros((2, 6)))
+
+    def test_winding_numbers_tell_inside_where_parity_does_not(self):
+        corners, faces = cube()
+        points = self.random.uniform(-2, 2, (20, 100, 3))
+        inside = np.abs(points).max(-1) < 1
+        with masu.Tracer(masu.Scene(corners, faces)) as tracer:
+            np.testing.assert_allclose(tracer.winding_numbers(points), inside, atol=1e-3)
+            np.testing.assert_array_equal(tracer.inside(points, rule="winding"), inside)
+            np.testing.assert_array_equal(tracer.inside(points), inside)
+            self.assertRaises(ValueError, tracer.inside, points, rule="both")
+            self.assertRaises(ValueError, tracer.inside, np.zeros((5, 6)), rule="winding")
+            self.assert_refused(masu.Status.USAGE, "masks", tracer.inside, points, rule="winding", object_masks=[1])
+            self.assert_refused(masu.Status.USAGE, "bound", tracer.winding_numbers, points, bound=2)
+        # Two that overlap, and one without a lid and with a face turned, finely divided.
+        overlapping = [(corners, faces), (corners * np.float32(0.5) + np.float32([1, 0, 0]), faces)]
+        in_either = inside | (np.abs(points - [1, 0, 0]).max(-1) < 0.5)
+        with masu.Tracer(masu.Scene(meshes=overlapping)) as tracer:
+            np.testing.assert_array_equal(tracer.inside(points, rule="winding"), in_either)
+            self.assertTrue((tracer.inside(points) == 2).any())
+        turned = faces.copy()
+        turned[-1] = turned[-1, ::-1]
+        deep = points[np.abs(points + [0.6, 0, 0]).max(-1) < 0.3]
+        for structure in ("bvh", "grid"):
+            scene = masu.Scene(corners, turned[2:])
+            with masu.Tracer(scene, scene.build(structure=structure)) as tracer:
+                numbers = tracer.winding_numbers(points, bound=0.25)
+                np.testing.assert_allclose(numbers, tracer.winding_numbers(points, bound=0), atol=0.25)
+                same_bits(self, {"": numbers}, {"": tracer.winding_numbers(points, bound=0.25, threads=1)})
+                np.testing.assert_array_equal(tracer.inside(deep, rule="winding"), tracer.winding_numbers(deep, bound=0) >= 0.5)
+        with masu.Tracer(masu.Scene(spheres=[[0, 0, 0, 1]])) as tracer:
+            self.assert_refused(masu.Status.USAGE, "spheres", tracer.winding_numbers, points)
 
     def test_results_depend_neither_on_the_grid_nor_on_coherence(self):
         self.scene()
@@ -348,6 +457,21 @@ class Scenes(WithFolder):
             self.assertRaises(IndexError, scene.primitive, index)
         hits = tracer.nearest(random_rays(self.random, 2000), fields=("primitive_ids", "geometry_ids"))
         np.testing.assert_array_equal(hits["geometry_ids"], np.array(objects + [-1])[hits["primitive_ids"]])
+
+    def test_checks_say_what_is_wrong_with_a_mesh(self):
+        corners, faces = cube()
+        whole = masu.Scene(corners, faces).check()
+        self.assertTrue(whole.is_closed and whole.is_oriented)
+        self.assertEqual((whole.points, whole.edges, whole.nonmanifold_edges), (8, 18, masu.Faults(0, [])))
+        turned = faces.copy()
+        turned[5] = turned[5, ::-1]
+        check = masu.Scene(corners, turned).check()
+        self.assertTrue(check.is_closed and not check.is_oriented)
+        self.assertEqual(check.inconsistent_edges.count, 3)
+        self.assertTrue(all(turned[face, corner] in faces[5] for face, corner in check.inconsistent_edges.examples))
+        open_box = masu.Scene(corners, np.concatenate([faces[:10], [[3, 3, 5], faces[9]]])).check()
+        self.assertFalse(open_box.is_closed)
+        self.assertEqual((open_box.faces_without_area, open_box.duplicate_faces), (masu.Faults(1, [10]), masu.Faults(1, [11])))
 
     def test_any_layout_and_type_of_vertices_and_faces(self):
         vertices, faces = random_mesh(self.random, 30)
@@ -787,6 +911,23 @@ class OtherNames(WithFolder):
         self.assertRaises(ValueError, scene.add_triangles, meshes[0][0], meshes[0][1] + 1)
         self.assertRaises(TypeError, scene.add_triangles, meshes[0][0])
 
+    def test_occupancy_is_the_majority_of_an_odd_number_of_rays(self):
+        corners, faces = cube()
+        points = self.random.uniform(-2, 2, (1000, 3))
+        inside = np.abs(points).max(-1) < 1
+        closed, with_hole = masu.RaycastingScene(), masu.RaycastingScene()
+        closed.add_triangles(corners, faces)
+        with_hole.add_triangles(corners, np.delete(faces, np.flatnonzero((corners[faces][:, :, 0] == 1).all(1))[0], 0))
+        for samples in (1, 3, 9):
+            np.testing.assert_array_equal(closed.compute_occupancy(points, nsamples=samples), inside)
+            self.assertEqual((closed.compute_signed_distance(points, 0, samples) < 0).tolist(), inside.tolist())
+        wrong = [(with_hole.compute_occupancy(points, nsamples=samples) != inside).sum() for samples in (1, 31)]
+        self.assertGreater(wrong[0], 10)
+        self.assertLess(wrong[1], wrong[0] / 2)
+        for samples in (0, 2, -1):
+            self.assertRaises(ValueError, closed.compute_occupancy, points, nsamples=samples)
+        self.assertRaises(TypeError, closed.compute_occupancy, points, nsamples=1.0)
+
     def test_all_intersections_are_listed_once(self):
         scene = masu.RaycastingScene()
         for count in (40, 70):
@@ -974,7 +1115,7 @@ class OtherNames(WithFolder):
         for compute in (scene.compute_distance, scene.compute_signed_distance, scene.compute_occupancy):
             np.testing.assert_array_equal(compute(origins, 1), compute(origins))
         for compute in (scene.compute_signed_distance, scene.compute_occupancy):
-            np.testing.assert_array_equal(compute(origins, 0, 3), compute(origins))
+            np.testing.assert_array_equal(compute(origins, 0, 3), compute(origins, nsamples=3))
         self.assertEqual(scene.create_rays_pinhole(np.eye(3), np.eye(4), 5, 4).shape, (4, 5, 6))
         self.assertEqual(scene.create_rays_pinhole(60.0, [0, 0, 1], [0, 0, 0], [0, 1, 0], 5, 4).shape, (4, 5, 6))
 

@@ -145,8 +145,8 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, st
   const void* const list = is_float64 ? static_cast<const void*>(rays64.data()) : rays.data();
   const std::uint32_t limit = input.take<std::uint8_t>() % 5U;
   const std::size_t room = count * std::max(limit, 1U);
-  std::vector<float> t(room), uv(2 * room), normal(3 * room);
-  std::vector<double> t64(room);
+  std::vector<float> t(room), uv(2 * room), normal(3 * room), shading(3 * room);
+  std::vector<double> t64(room), position(3 * room);
   std::vector<std::uint32_t> primitive(room), object(room), face(room), counts(count), all(count);
   std::vector<std::uint8_t> front(room);
   const auto wanted = input.take<std::uint8_t>();
@@ -158,7 +158,9 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, st
                        (wanted & 16U) != 0 ? normal.data() : nullptr,
                        (wanted & 32U) != 0 ? face.data() : nullptr,
                        (wanted & 64U) != 0 ? t64.data() : nullptr,
-                       (wanted & 128U) != 0 ? front.data() : nullptr};
+                       (wanted & 128U) != 0 ? front.data() : nullptr,
+                       (wanted & 8U) != 0 ? position.data() : nullptr,
+                       (wanted & 16U) != 0 ? shading.data() : nullptr};
   if (masu_nearest(tracer, list, count, &options, &hits) == MASU_OK && (wanted & 3U) == 3) {
     for (std::size_t i = 0; i < count; ++i) {
       const bool hit = std::isfinite(t[i]);
@@ -182,6 +184,7 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, st
   std::vector<std::uint8_t> occluded(count);
   static_cast<void>(masu_occluded(tracer, list, count, &options, occluded.data()));
   static_cast<void>(masu_inside(tracer, list, count, &options, occluded.data()));
+  static_cast<void>(masu_winding(tracer, list, count, &options, 0.5, t64.data(), occluded.data()));
   if (masu_all_hits(tracer, list, count, &options, limit, &hits, counts.data()) == MASU_OK &&
       masu_count_hits(tracer, list, count, &options, all.data()) == MASU_OK) {
     for (std::size_t i = 0; i < count; ++i)
@@ -243,6 +246,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (tracer != nullptr) static_cast<void>(masu_tracer_update(tracer, &moved));
       auto primitive = sized<masu_primitive>(input);
       static_cast<void>(masu_scene_primitive(scene, input.take<std::uint16_t>(), &primitive));
+      auto check = sized<masu_mesh_check>(input);
+      static_cast<void>(masu_scene_check(scene, &check));
       break;
     }
     default:

@@ -139,6 +139,19 @@ std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, 
   return rays;
 }
 
+std::vector<Ray<double>> random_places(const SceneFile& scene, std::size_t count, std::uint64_t seed) {
+  const Boxd box = scene.bounds();
+  std::vector<Ray<double>> rays(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    RandomSequence random(seed, i);
+    Vec3d place = box.min;
+    for (int axis = 0; axis < 3; ++axis)
+      place.set(axis, fma(random.uniform(), box.max[axis] - box.min[axis], box.min[axis]));
+    rays[i] = unbounded_ray(place, Vec3d{1, 0, 0});
+  });
+  return rays;
+}
+
 std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const StructureFile& grid,
                                      std::span<const Ray<double>> rays) {
   return scene.is_float64() ? shadow<double>(scene, grid, rays) : shadow<float>(scene, grid, rays);

@@ -22,6 +22,9 @@ std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const StructureFil
 // Rays between two random points of the sphere around the scene's bounds; t = 1 is the second point.
 std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed);
 
+// Rays from random points of the scene's bounds, along x: places.
+std::vector<Ray<double>> random_places(const SceneFile& scene, std::size_t count, std::uint64_t seed);
+
 // One ray from each hit of `rays` to a light, ray i to light i modulo their number; t = 1 is the light. None
 // for a miss.
 std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const StructureFile& grid,

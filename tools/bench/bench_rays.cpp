@@ -49,6 +49,7 @@ std::set<std::string> loop_names() {
 
 // The loop's name, with `auto` resolved.
 std::string loop_for(const std::string& wanted, const RaySet& set, const ResidentTracer& tracer) {
+  if (set.query == Query::closest_point) return "thread_per_ray";
   if (wanted != "auto") return wanted;
   const RayLoop usual = automatic_loop(tracer, set.rays, set.query, Precision::automatic);
   return std::find_if(all_loops.begin(), all_loops.end(),
@@ -71,8 +72,16 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
     if (name == "shadow") sets.push_back({name, Query::occlusion, shadow_rays(scene, grid, primary)});
     if (name == "ambient")
       sets.push_back({name, Query::occlusion, ambient_rays(scene, grid, primary, settings.seed)});
+    if (name == "places")
+      sets.push_back({name, Query::closest_point, random_places(scene, settings.random, settings.seed)});
   }
   return sets;
+}
+
+std::string_view name_of(Query query) {
+  return query == Query::nearest_hit ? "closest_hit"
+         : query == Query::occlusion ? "any_hit"
+                                     : "closest_point";
 }
 
 // As the numbers of Ray<double>.
@@ -103,7 +112,7 @@ Json measure(const Settings& settings, const ResidentTracer& tracer, const RaySe
           {"grid_bytes", grid.bytes()},
           {"grid_hash", to_hex(grid.hash())},
           {"rays", set.name},
-          {"query", set.query == Query::nearest_hit ? "closest_hit" : "any_hit"},
+          {"query", name_of(set.query)},
           {"count", set.rays.size()},
           {"backend", cuda ? "cuda" : "cpu"},
           {"precision", name_of(request.tracing.precision)},
@@ -160,8 +169,10 @@ void bench_rays(const Settings& settings, Output& output) {
 void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grids(command, settings.grids);
-  add_names(command, "--sets", settings.sets, {"primary", "diffuse", "random", "shadow", "ambient"},
-            "sets of rays: primary, diffuse, random (closest hit), shadow, ambient (any hit); default: all");
+  add_names(
+      command, "--sets", settings.sets, {"primary", "diffuse", "random", "shadow", "ambient", "places"},
+      "sets of rays: primary, diffuse, random (closest hit), shadow, ambient (any hit); default: these. "
+      "places: closest points to random origins in the scene's bounds, through a hierarchy");
   add_backend(command, settings.backend);
   command.add_choice("--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
                      "order of primary rays: rows, or tiles of 8x4");
@@ -175,8 +186,8 @@ void add_options(const CommandLine& command, Settings& settings) {
   add_first_cell_hit(command, settings.tracing.stop);
   add_general(command, settings.tracing);
   add_picture_size(command, settings.size, "number of primary rays");
-  add_count(command, "--random", settings.random, "number of random rays", 28);
-  add_seed(command, settings.seed, "seed of diffuse and random rays");
+  add_count(command, "--random", settings.random, "number of random rays, and of places", 28);
+  add_seed(command, settings.seed, "seed of diffuse and random rays and places");
   add_warm_up(command, settings.warm_up);
   add_repeat(command, settings.repeat, "timed runs, of which the median counts");
   command

@@ -9,11 +9,14 @@ The module calls libmasu.so. It looks for it where the environment variable MASU
 then where the system's loader looks. NumPy, PyTorch and CuPy are imported when their arrays are used.
 """
 
+from ._interpolate import interpolate
 from ._library import Error, Status, __version__, gpu_count
 from ._ray_mesh_intersector import RayMeshIntersector
 from ._raycasting_scene import RaycastingScene
-from ._scene import Description, Grid, GridDescription, Mesh, Primitive, Quadrics, Scene, load, load_grid
+from ._scene import (Description, Faults, Grid, GridDescription, Mesh, MeshCheck, Primitive, Quadrics, Scene, load,
+                     load_grid)
 from ._tracer import CLOSEST_FIELDS, FIELDS, Tracer
 
-__all__ = ["CLOSEST_FIELDS", "Description", "Error", "FIELDS", "Grid", "GridDescription", "Mesh", "Primitive", "Quadrics",
-           "RayMeshIntersector", "RaycastingScene", "Scene", "Status", "Tracer", "__version__", "gpu_count", "load", "load_grid"]
+__all__ = ["CLOSEST_FIELDS", "Description", "Error", "FIELDS", "Faults", "Grid", "GridDescription", "Mesh", "MeshCheck",
+           "Primitive", "Quadrics", "RayMeshIntersector", "RaycastingScene", "Scene", "Status", "Tracer", "__version__",
+           "gpu_count", "interpolate", "load", "load_grid"]

@@ -41,6 +41,13 @@ def recognize(name: str, array: Any, stream: Any) -> Tuple[Any, Any]:
         raise ValueError("{}: no array of numbers: {}".format(name, error)) from None
 
 
+def beside(first: Any, name: str, array: Any, stream: Any) -> Any:
+    """An array as one of the library of a recognized one; None if it isn't, or doesn't lie where that does."""
+    arrays, _ = recognize(name, first, stream)
+    others, array = recognize(name, array, stream)
+    return array if others is arrays and arrays.gpu(array, name) == arrays.gpu(first, name) else None
+
+
 def on_host(name: str, array: Any) -> Any:
     """The same numbers in host memory; those on a GPU are copied once what its library queued is done."""
     module, array = recognize(name, array, None)

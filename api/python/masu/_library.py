@@ -65,6 +65,16 @@ class PrimitiveRecord(ctypes.Structure):
                 ("transmittance", c_float), ("refraction_index", c_float)]
 
 
+class FaultsRecord(ctypes.Structure):
+    _fields_ = [("count", c_uint64), ("primitives", c_uint32 * 8), ("corners", c_uint32 * 8)]
+
+
+class MeshCheckRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("points", c_uint64), ("edges", c_uint64),
+                *((name, FaultsRecord) for name in ("open_edges", "inconsistent_edges", "nonmanifold_edges",
+                                                    "faces_without_area", "duplicate_faces"))]
+
+
 GoOn = CFUNCTYPE(c_int, py_object, c_double)
 _GO_ON: List[Any] = [("go_on", GoOn), ("user", c_void_p)]  # the last fields of options: see call()
 
@@ -78,7 +88,13 @@ class QueryRecord(ctypes.Structure):
 
 class HitsRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("t", c_void_p), ("primitive", c_void_p), ("object", c_void_p), ("uv", c_void_p),
-                ("normal", c_void_p), ("face", c_void_p), ("t64", c_void_p), ("front", c_void_p)]
+                ("normal", c_void_p), ("face", c_void_p), ("t64", c_void_p), ("front", c_void_p),
+                ("position", c_void_p), ("shading", c_void_p)]
+
+
+class ValuesRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("values", c_void_p), ("width", c_size_t), ("count", c_size_t), ("indices", c_void_p),
+                ("triangle_count", c_size_t), ("per_face", c_int), ("reserved", c_int), ("stream", c_void_p)]
 
 
 class MeshRecord(ctypes.Structure):
@@ -191,6 +207,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_scene_free", None, c_void_p)
     declare("masu_scene_describe", c_int, c_void_p, POINTER(SceneDescriptionRecord))
     declare("masu_scene_primitive", c_int, c_void_p, c_uint32, POINTER(PrimitiveRecord))
+    declare("masu_scene_check", c_int, c_void_p, POINTER(MeshCheckRecord))
     declare("masu_default_build_options", c_int, POINTER(BuildOptionsRecord))
     declare("masu_grid_build", c_int, c_void_p, POINTER(BuildOptionsRecord), handle)
     declare("masu_grid_refit", c_int, c_void_p, c_void_p, handle)
@@ -209,6 +226,8 @@ def _load() -> ctypes.CDLL:
     declare("masu_count_hits", c_int, *query, c_void_p)
     declare("masu_inside", c_int, *query, c_void_p)
     declare("masu_closest", c_int, *query, POINTER(HitsRecord), c_void_p)
+    declare("masu_winding", c_int, *query, c_double, c_void_p, c_void_p)
+    declare("masu_interpolate", c_int, POINTER(ValuesRecord), c_void_p, c_void_p, c_size_t, c_void_p)
     return loaded
 
 

@@ -1,12 +1,13 @@
 """Open3D's RaycastingScene, by its names: for programs that were written for it."""
 
 import math
+import operator
 import threading
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 from . import _arrays
 from ._scene import Mesh, Scene, mesh_of
-from ._tracer import Tracer
+from ._tracer import Tracer, rays_from
 
 
 class RaycastingScene:
@@ -97,22 +98,28 @@ class RaycastingScene:
         return {**self._numbered(found), "points": found["points"].astype(np.float32)}
 
     def compute_distance(self, query_points: Any, nthreads: int = 0) -> Any:
-        """The distance of each point (..., 3) to the meshes."""
-        import numpy as np
-        return self.tracer.closest(_points(query_points), fields="distances",
-                                   threads=nthreads or self._nthreads)["distances"].astype(np.float32)
+        """The distance of each point (..., 3) to the meshes. Points on the tracer's GPU are those of PyTorch or CuPy there,
+        and so are the results, as for compute_signed_distance() and compute_occupancy()."""
+        found = self.tracer.closest(self._query_points(query_points), fields="distances", threads=nthreads or self._nthreads)
+        return _float32(found["distances"])
 
     def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Any:
-        """The same, negative inside: where a ray crosses the meshes an odd number of times, which must be closed.
-        nsamples: crossings are counted exactly, more rays than one change nothing."""
-        import numpy as np
-        return np.where(self.compute_occupancy(query_points, nthreads) > 0, np.float32(-1),
-                        np.float32(1)) * self.compute_distance(query_points, nthreads)
+        """The same, negative where compute_occupancy() is 1."""
+        points = self._query_points(query_points)
+        return (1 - 2 * self.compute_occupancy(points, nthreads, nsamples)) * self.compute_distance(points, nthreads)
 
     def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Any:
-        """1 for points (..., 3) inside the meshes, which must be closed, else 0: float32."""
-        import numpy as np
-        return crosses_oddly(self.tracer, _points(query_points), nthreads or self._nthreads).astype(np.float32)
+        """1 for points (..., 3) inside the meshes, else 0: float32. Inside is where most of nsamples rays in fixed
+        directions, an odd number, cross the meshes an odd number of times. Crossings are counted exactly: of closed meshes
+        one ray tells what more do."""
+        return _float32(crosses_oddly(self.tracer, self._query_points(query_points), nthreads or self._nthreads, nsamples))
+
+    def _query_points(self, points: Any) -> Any:
+        """NumPy's, or where they lie if the tracer is there."""
+        arrays, array = _arrays.recognize("query_points", points, None)
+        if array.shape[-1:] == (3,) and arrays.gpu(array, "query_points") in self.tracer._gpus:
+            return array
+        return _points(points)
 
     def _numbered(self, hits: Dict[str, Any]) -> Dict[str, Any]:
         """With primitives numbered in their meshes, and the misses' numbers Open3D's."""
@@ -169,12 +176,27 @@ def hit_lists(tracer: Tracer, rays: Any, counts: Any, fields: Sequence[str], thr
     return {name: hits[name][are_hits] for name in fields}
 
 
-def crosses_oddly(tracer: Tracer, points: Any, threads: int = 0) -> Any:
-    """Whether a ray from each point (..., 3) crosses the surfaces an odd number of times."""
-    import numpy as np
-    rays = np.zeros(points.shape[:-1] + (6,), points.dtype)
-    rays[..., :3], rays[..., 3] = points, 1
-    return tracer.count_hits(rays, threads=threads) % 2 == 1
+def crosses_oddly(tracer: Tracer, points: Any, threads: int = 0, samples: int = 1) -> Any:
+    """Whether most of so many rays from each point (..., 3) cross the surfaces an odd number of times."""
+    if operator.index(samples) < 1 or samples % 2 == 0:
+        raise ValueError("nsamples: {} isn't an odd number from 1 on".format(samples))
+    votes = sum(tracer.count_hits(rays_from(points, direction), threads=threads) % 2 for direction in _directions(samples))
+    return 2 * votes > samples
+
+
+def _directions(count: int) -> Iterator[Tuple[float, float, float]]:
+    """Along x; several, spread over the sphere on a Fibonacci lattice."""
+    for i in range(count):
+        x = 1 - 2 * i / count
+        angle, across = i * math.pi * (3 - math.sqrt(5)), math.sqrt(1 - x * x)
+        yield x, across * math.cos(angle), across * math.sin(angle)
+
+
+def _float32(array: Any) -> Any:
+    arrays, array = _arrays.recognize("results", array, None)
+    rounded = arrays.empty(tuple(array.shape), "float32", array)
+    rounded[...] = array
+    return rounded
 
 
 def _device(device: Any) -> Any:

@@ -11,10 +11,10 @@ from ctypes import byref, c_double, c_float
 from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _arrays, _mesh_objects
-from ._library import (KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, GeometryRecord,
-                       GridDescriptionRecord, MeshRecord, Path, PrimitiveRecord, Progress, QuadricsRecord, Resource,
-                       SceneDescriptionRecord, Status, call, check, choice, device_number, folders_of_tools, library, memory_file,
-                       path_bytes, sized)
+from ._library import (KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, FaultsRecord, GeometryRecord,
+                       GridDescriptionRecord, MeshCheckRecord, MeshRecord, Path, PrimitiveRecord, Progress, QuadricsRecord,
+                       Resource, SceneDescriptionRecord, Status, call, check, choice, device_number, folders_of_tools, library,
+                       memory_file, path_bytes, sized)
 
 Vector = Tuple[float, float, float]
 Color = Optional[Sequence[float]]  # 3, of a matte material; 0.8 each by default
@@ -71,6 +71,40 @@ class Primitive(NamedTuple):
     shine: float
     transmittance: float
     refraction_index: float
+
+
+class Faults(NamedTuple):
+    """How many there are of a kind, and the first of them, at most 8: a face as a primitive's index, an edge as that of a
+    triangle and the corner, 0 to 2, from which it runs to the next one."""
+    count: int
+    examples: List[Any]
+
+
+class MeshCheck(NamedTuple):
+    """What is wrong with a scene's triangles, all as one mesh: see Scene.check()."""
+    points: int  # corners with the same stored coordinates are one
+    edges: int  # with a length, of triangles that can be hit
+    open_edges: Faults  # of an odd number of triangles
+    inconsistent_edges: Faults  # of an even number that don't run along it half each way
+    nonmanifold_edges: Faults  # of more than two
+    faces_without_area: Faults  # corners on a line, exactly, or one point
+    duplicate_faces: Faults  # of the same points as one before, in any order
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether every line crosses the mesh an even number of times: then the parity of count_hits() tells inside from
+        outside."""
+        return self.open_edges.count == 0
+
+    @property
+    def is_oriented(self) -> bool:
+        """Whether every line also enters as often as it leaves, which Tracer.inside() needs."""
+        return self.is_closed and self.inconsistent_edges.count == 0
+
+
+def _faults(record: FaultsRecord, of_edges: bool) -> Faults:
+    places = list(zip(record.primitives, record.corners))[:record.count]
+    return Faults(record.count, places if of_edges else [primitive for primitive, _ in places])
 
 
 def _vector(numbers: Any) -> Vector:
@@ -234,6 +268,14 @@ class Scene(Resource):
         call(library.masu_scene_primitive, self, index, byref(record))
         return Primitive(KINDS[record.kind], record.object, record.material, record.face, _vector(record.color),
                          record.diffuse, record.specular, record.shine, record.transmittance, record.refraction_index)
+
+    def check(self) -> MeshCheck:
+        """What is wrong with the triangles as a mesh: edges where it is open, turned or branches, faces without area or there
+        twice. Spheres, which are closed, and cones, which aren't, are left out."""
+        record = sized(MeshCheckRecord())
+        call(library.masu_scene_check, self, byref(record))
+        return MeshCheck(record.points, record.edges, *(
+            _faults(getattr(record, name), name.endswith("edges")) for name in MeshCheck._fields[2:]))
 
     def build(self, *, structure: str = "auto", merge: str = "auto", division: Union[str, int, Sequence[int], None] = None,
               quality: str = "high", box_overlap: bool = False, cube_space: bool = False, target: Optional[int] = None,

@@ -29,12 +29,15 @@ _FIELDS = {
     "face_ids": Field("face", "int32", ()),
     "t_hit64": Field("t64", "float64", ()),
     "front": Field("front", "bool", ()),
+    "positions": Field("position", "float64", (3,)),
+    "normals": Field("shading", "float32", (3,)),
 }
 FIELDS = tuple(_FIELDS)  # of Tracer.nearest() and all_hits()
 _CLOSEST_FIELDS = {
     "distances": Field("t64", "float64", ()),
-    "points": Field("", "float64", (3,)),
-    **{name: _FIELDS[name] for name in ("primitive_ids", "geometry_ids", "primitive_uvs", "primitive_normals", "face_ids")},
+    "points": _FIELDS["positions"],
+    **{name: _FIELDS[name] for name in ("primitive_ids", "geometry_ids", "primitive_uvs", "primitive_normals", "face_ids",
+                                           "normals")},
 }
 CLOSEST_FIELDS = tuple(_CLOSEST_FIELDS)  # of Tracer.closest()
 
@@ -72,6 +75,18 @@ def tracer_of(number: int) -> "Tracer":
 def _made_again(kind: Any, scene: Scene, grid: Optional[Grid], gpus: Tuple[int, ...]) -> "Tracer":
     made: Tracer = kind(scene, grid, list(gpus) or "cpu", brute_force=grid is None)
     return made
+
+
+def rays_from(points: Any, direction: Iterable[float] = (1, 0, 0), stream: Any = None) -> Any:
+    """A ray (..., 6) from each point (..., 3), of the same library and in the same memory."""
+    arrays, points = _arrays.recognize("points", points, stream)
+    with arrays.queue(points, stream):
+        points = arrays.packed(points, "points")
+        rays = arrays.empty(tuple(points.shape[:-1]) + (6,), "float64" if arrays.is_float64(points) else "float32", points)
+        rays[..., :3] = points
+        for axis, component in enumerate(direction):
+            rays[..., 3 + axis] = component
+    return rays
 
 
 def _gpu_numbers(device: Any) -> Tuple[int, ...]:
@@ -216,6 +231,9 @@ class Tracer(Resource):
                            order; of others as primitive_ids; -1 for a miss
         t_hit64            float64: t with all digits that the precision has
         front              bool: whether the ray meets the front
+        positions          (..., 3) float64: the point of the primitive that is hit, in the rays' coordinates; NaN for a miss
+        normals            (..., 3) float32: shading normals, of unit length: interpolated where a scene from a file has them
+                           at its corners (masu.load(path, smooth=True)), else primitive_normals
 
         precision: "auto" ("robust", or "double" for a scene in float64), "robust", "double", or "fast", which is for
         comparison. coherent: neighbours in the array have similar origins and directions, which changes the speed
@@ -266,31 +284,45 @@ class Tracer(Resource):
         """How many hits each ray has, as all_hits() finds them: an array of int32 of the rays' leading shape."""
         return self._query_one(library.masu_count_hits, "int32", locals())
 
-    def inside(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
+    def inside(self, rays: Any, *, rule: str = "parity", precision: str = "auto", stream: Any = None, relative: bool = False,
                threads: int = 0, object_masks: Any = None, ray_masks: Any = None, progress: Progress = None) -> Any:
-        """Whether each ray, in any direction, starts inside the surfaces, whose fronts are outside: an array of uint8 of the
-        rays' leading shape. 1 where one more of its hits is of a back than of a front, 0 where as many are; else 2, and the
-        surfaces aren't closed, or their fronts not outside, or one lies in another."""
+        """Whether each point (..., 3), or the start of each ray, in any direction, is inside the surfaces, whose fronts are
+        outside: an array of uint8 of the leading shape.
+
+        rule "parity": 1 where one more of the ray's hits is of a back than of a front, 0 where as many are; else 2, and the
+        surfaces aren't closed, or their fronts not outside, or one lies in another. From a point the ray is along x.
+        rule "winding", for points in host memory and triangles, which may be open, overlap or be turned: 1 where
+        winding_numbers() are at least 1/2, else 0, which is exact unless they are within 1/1000 of that."""
+        if choice("rule", rule, {"parity": 0, "winding": 1}):
+            return self._query(library.masu_winding, lambda pointers: (1e-3, None, pointers["found"]),
+                               {"found": Field("", "uint8", ())}, {**locals(), "points": rays}, "points", (3,))["found"]
+        if getattr(rays, "shape", ())[-1:] == (3,):
+            rays = rays_from(rays, stream=stream)
         return self._query_one(library.masu_inside, "uint8", locals())
 
+    def winding_numbers(self, points: Any, *, bound: float = 1e-3, relative: bool = False, threads: int = 0,
+                        progress: Progress = None) -> Any:
+        """The generalised winding number of the scene's triangles about each of the points (..., 3) in host memory: an array
+        of float64 of the leading shape. It is 1 in a closed mesh whose fronts are outside, 0 outside; where surfaces are
+        open, overlap or are turned, the sum of what the point sees of them, signed solid angles over 4 pi. Numbers are
+        within `bound`, from 0 to 1, the same with any number of threads, and computed on the CPU in float64."""
+        return self._query(library.masu_winding, lambda pointers: (float(bound), pointers["found"], None),
+                           {"found": Field("", "float64", ())}, locals(), "points", (3,))["found"]
+
     def closest(self, points: Any, *, fields: Union[str, Iterable[str]] = ("distances", "points", "primitive_ids"),
-                relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
+                stream: Any = None, relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
                 ray_masks: Any = None, progress: Progress = None) -> Dict[str, Any]:
-        """The point of the surfaces that is closest to each of the points (..., 3), which are in host memory: a dictionary of
+        """The point of the surfaces that is closest to each of the points (..., 3), which lie where rays may: a dictionary of
         the fields requested, each an array of the points' leading shape.
 
         distances          float64; infinity where there is no surface
         points             (..., 3) float64: the closest points
-        primitive_ids, geometry_ids, primitive_uvs, primitive_normals, face_ids   as nearest() has them, of these
+        primitive_ids, geometry_ids, primitive_uvs, primitive_normals, face_ids, normals   as nearest() has them, of these
 
-        Other arguments are those of nearest(), masks and exclude of points instead of rays. All is computed on the CPU and in
-        float64. Of primitives at the same distance the lowest index is reported. If the grid isn't a hierarchy, the first call
+        Other arguments are those of nearest(), masks and exclude of points instead of rays. All is computed in float64. Of primitives at the same distance the lowest index is reported. If the grid isn't a hierarchy, the first call
         builds one."""
-        def arguments(pointers: Dict[str, int]) -> Tuple[Any, ...]:
-            to = pointers.pop("points", None)
-            return _hits(pointers, _CLOSEST_FIELDS), to
-
-        return self._query(library.masu_closest, arguments, chosen(fields, _CLOSEST_FIELDS), locals(), "points", (3,))
+        return self._query(library.masu_closest, lambda pointers: (_hits(pointers, _CLOSEST_FIELDS), None),
+                           chosen(fields, _CLOSEST_FIELDS), locals(), "points", (3,))
 
     def _query_one(self, function: Callable[..., int], number: str, given: Dict[str, Any]) -> Any:
         return self._query(function, lambda pointers: (pointers["found"],), {"found": Field("", number, ())},
@@ -323,7 +355,7 @@ class Tracer(Resource):
         self._opened()
         with arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays, name)
-            objects = (self._objects,) if given["object_masks"] is not None else ()
+            objects = (self._objects,) if given.get("object_masks") is not None else ()
             filters = {}  # kept until the query is queued
             for each, needed in (("exclude", shape[:-1]), ("ray_masks", shape[:-1]), ("object_masks", objects)):
                 if given.get(each) is None:
@@ -332,8 +364,8 @@ class Tracer(Resource):
                     filters[each] = arrays.empty(needed, "int32", rays)
                     filters[each][...] = _int32(each, operator.index(given[each]))
                 else:
-                    others, array = _arrays.recognize(each, given[each], stream)
-                    if others is not arrays or arrays.gpu(array, each) != gpu or tuple(array.shape) != needed:
+                    array = _arrays.beside(rays, each, given[each], stream)
+                    if array is None or tuple(array.shape) != needed:
                         raise ValueError("{}: whole numbers of the shape {} are needed, where the {} are, or one".format(
                             each, needed, name))
                     filters[each] = arrays.packed_int32(array, each)
