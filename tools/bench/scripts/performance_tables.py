@@ -28,7 +28,7 @@ def peer_rates():
 
 
 PEERS = peer_rates()
-# By triangles: cuBQL's milliseconds to upload and build, and million random rays per second, on an H200.
+# By triangles: milliseconds to prepare and million rays per second, by cuBQL's two builders.
 ANSWERS = {int(row[0]): row[1:] for row in map(str.split, (pathlib.Path(__file__).parent / "answers.tsv").read_text().splitlines())
            if row[0] != "#"}
 
@@ -275,12 +275,14 @@ def tables(results):
             found, device = run["output"], key.partition(".")[0]
             cells = {name: f"{of['prepare_ms']:.3g}, {of['mrays']:.4g}" for name, of in found["tracers"].items()}
             if device == "cuda":
-                cells |= {"cuBQL": ", ".join(ANSWERS[found["triangles"]])} if found["triangles"] in ANSWERS else {}
+                peer = ANSWERS.get(round(found["triangles"], -5) or found["triangles"], [])
+                cells |= {f"cuBQL, {how}": ", ".join(pair) for how, pair in zip(("median", "SAH"), (peer[:2], peer[2:])) if pair}
             taken = found["bytes_a_triangle"]
             rows.append([f"{found['triangles']:,}, " + (machine["device"] if device == "cuda" else f"{machine['cores']} cores"),
-                         *(cells.get(name, "-") for name in ("Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL")),
+                         *(cells.get(name, "-") for name in ("Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median",
+                                                           "cuBQL, SAH")),
                          f"{taken['held']:.0f}, {taken['most']:.0f}" if taken else "-"])
-        return table(["triangles, on", "Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL",
+        return table(["triangles, on", "Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median", "cuBQL, SAH",
                       "bytes a triangle: held, at most"], rows)
 
     def scale():
