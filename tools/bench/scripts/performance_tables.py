@@ -112,11 +112,11 @@ def fastest(results, scene):
     return f"{scene}-bvh" if "nodes" in results["runs"]["fastest"][scene]["output"] else scene
 
 
-def fastest_rates(results, scene, kinds=("primary", "diffuse", "random")):
-    """Mray/s through it, by the loop that `auto` takes."""
+def fastest_rates(results, scene):
+    """Mray/s of primary, diffuse and random rays through it, by the loop that `auto` takes."""
     rows = results["runs"]["rays"][scene]["output"]
     found = []
-    for kind in kinds:
+    for kind in ("primary", "diffuse", "random"):
         auto, *loops = [row for row in rows if row["rays"] == kind and row["grid"] == f"{fastest(results, scene)}.grid"]
         found += [row["mrays_per_second"] for row in loops if row["loop"] == auto["loop"]]
     return found
@@ -183,15 +183,13 @@ def tables(results):
         rows = []
         for s, peer in PEERS.items():
             rates, taken = fastest_rates(results, s), fastest(results, s)
-            any_hits = fastest_rates(results, s, ("shadow", "ambient"))
-            ratio = lambda name, ours=rates: ", ".join(f"{our / their:.2f}" for our, their in zip(ours, peer[name]))
+            ratio = lambda name: ", ".join(f"{ours / theirs:.2f}" for ours, theirs in zip(rates, peer[name]))
             rows.append([s, "irregular" if taken == s else "`bvh`", ", ".join(f"{rate:.0f}" for rate in rates),
                          ", ".join(f"{rate:.0f}" for rate in peer["cwbvh"]),
                          ratio("cwbvh"), ratio("cubql"), ratio("optix"), ratio("hagrid"), ratio("hagrid_best"),
-                         ", ".join(f"{rate:.0f}" for rate in any_hits), ratio("cubql_any", any_hits),
                          f"{(size[f'{taken}.grid'] + 48 * primitives(s)) * 1e-6:.0f}, {peer['cwbvh_mb'][0]:.0f}"])
         return table(["scene", "`fastest` takes", "Masu", "CWBVH", "Masu / CWBVH", "/ cuBQL", "/ OptiX", "/ hagrid",
-                      "/ hagrid's best", "occlusion: Masu", "/ cuBQL", "MB: Masu, CWBVH"], rows)
+                      "/ hagrid's best", "MB: Masu, CWBVH"], rows)
 
     def cells():
         def cost(s, grid):
