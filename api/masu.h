@@ -182,7 +182,8 @@ typedef struct masu_mesh_check {
   /* Edges of an odd number of triangles. Where there is none, every line crosses the mesh an even number of
    * times, so the parity of masu_count_hits() tells inside from outside. */
   masu_faults open_edges;
-  masu_faults inconsistent_edges; /* of an even number that don't run along it half each way. Where there is
+  masu_faults
+      inconsistent_edges;         /* of an even number that don't run along it half each way. Where there is
                                      none either, lines enter as often as they leave, as masu_inside() needs */
   masu_faults nonmanifold_edges;  /* of more than two */
   masu_faults faces_without_area; /* corners on a line, exactly, or one point */
@@ -423,8 +424,9 @@ typedef struct masu_hits {
 typedef struct masu_values {
   size_t size;
   const float* values;
-  size_t width, count;     /* floats of a row; rows */
-  const uint32_t* indices; /* 3 per triangle: the rows of its corners; NULL: triangle i has rows 3i to 3i + 2 */
+  size_t width, count; /* floats of a row; rows */
+  const uint32_t*
+      indices; /* 3 per triangle: the rows of its corners; NULL: triangle i has rows 3i to 3i + 2 */
   size_t triangle_count;
   int per_face; /* not 0: triangle i has row i at all its corners, and indices are NULL */
   int reserved;
@@ -448,8 +450,8 @@ MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, s
 
 /* (1 - u - v) a + u b + v c for each hit, as masu_hits has primitive and uv: a row of `width` floats each, of
  * the values at the hit triangle's corners; rounded once or twice. Zeros for what is no triangle of `values`,
- * such as a miss, and where a corner's index isn't a row's. All arrays lie in host memory, or all in the memory
- * of one GPU, where the work is queued on the stream; per_face needs no uv. */
+ * such as a miss, and where a corner's index isn't a row's. All arrays lie in host memory, or all in the
+ * memory of one GPU, where the work is queued on the stream; per_face needs no uv. */
 MASU_API masu_status masu_interpolate(const masu_values* values, const uint32_t* primitive, const float* uv,
                                       size_t count, float* interpolated);
 
@@ -481,11 +483,11 @@ MASU_API masu_status masu_inside(const masu_tracer* tracer, const void* rays, si
                                  const masu_query* query, uint8_t* inside);
 
 /* The generalised winding number of the triangles about each place, as masu_closest() has them: 1 in a closed
- * mesh whose fronts are outside, 0 outside; where surfaces are open, overlap or are turned, the sum of what the
- * place sees of them, signed solid angles over 4 pi. winding: within `bound`, from 0 to 1, but for roundings;
- * inside: 1 where the number is at least 1/2, else 0, which is exact unless the number is nearer to 1/2 than
- * `bound`. Either may be NULL; inside alone takes less time. Of a place that masu_closest() finds nothing for
- * the number is NaN. On the surface it may be that of either side.
+ * mesh whose fronts are outside, 0 outside; where surfaces are open, overlap or are turned, the sum of what
+ * the place sees of them, signed solid angles over 4 pi. winding: within `bound`, from 0 to 1, but for
+ * roundings; inside: 1 where the number is at least 1/2, else 0, which is exact unless the number is nearer
+ * to 1/2 than `bound`. Either may be NULL; inside alone takes less time. Of a place that masu_closest() finds
+ * nothing for the number is NaN. On the surface it may be that of either side.
  *
  * On the CPU, wherever the tracer is, and the same with any number of threads; with another hierarchy numbers
  * differ within the bound. MASU_ERROR_USAGE where the scene has spheres or cones, with exclude and masks, and
