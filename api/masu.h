@@ -182,9 +182,9 @@ typedef struct masu_mesh_check {
   /* Edges of an odd number of triangles. Where there is none, every line crosses the mesh an even number of
    * times, so the parity of masu_count_hits() tells inside from outside. */
   masu_faults open_edges;
-  masu_faults
-      inconsistent_edges;         /* of an even number that don't run along it half each way. Where there is
-                                     none either, lines enter as often as they leave, as masu_inside() needs */
+  /* Of an even number of triangles that don't run along it half each way. Where there is none either, lines
+   * enter as often as they leave, as masu_inside() needs. */
+  masu_faults inconsistent_edges;
   masu_faults nonmanifold_edges;  /* of more than two */
   masu_faults faces_without_area; /* corners on a line, exactly, or one point */
   masu_faults duplicate_faces;    /* of the same points as one before, in any order */
@@ -425,8 +425,8 @@ typedef struct masu_values {
   size_t size;
   const float* values;
   size_t width, count; /* floats of a row; rows */
-  const uint32_t*
-      indices; /* 3 per triangle: the rows of its corners; NULL: triangle i has rows 3i to 3i + 2 */
+  /* 3 per triangle: the rows of its corners; NULL: triangle i has rows 3i to 3i + 2. */
+  const uint32_t* indices;
   size_t triangle_count;
   int per_face; /* not 0: triangle i has row i at all its corners, and indices are NULL */
   int reserved;
