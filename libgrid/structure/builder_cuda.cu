@@ -8,7 +8,7 @@
 #include "libgrid/structure/builder.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
-#include "libscene/cuda/device_primitives.h"
+#include "libscene/cuda/device_records.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/mesh/move_passes.h"
 #include "libscene/passes/cuda_executor.h"
@@ -24,10 +24,14 @@ template <class Stored>
 struct UploadedScene {
   SceneView<Stored> view;
   Transfer upload;
-  DevicePrimitives<Stored> primitives;
+  DeviceArray<Triangle<Stored>> triangles;
+  DeviceArray<Sphere<Stored>> spheres;
+  DeviceArray<Cone<Stored>> cones;
 
   UploadedScene(const SceneView<Stored>& host, cudaMemPool_t pool)
-      : view(host), upload(pool), primitives(view, InHostMemory{}, upload) {
+      : view(host), upload(pool), triangles(uploaded(view.triangles, view.triangle_count, upload)),
+        spheres(uploaded(view.spheres, view.sphere_count, upload)),
+        cones(uploaded(view.cones, view.cone_count, upload)) {
     upload.run();
   }
 };

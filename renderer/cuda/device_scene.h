@@ -6,7 +6,7 @@
 #include "libgrid/hierarchy/moved_hierarchy.h"
 #include "libgrid/trace/any_structure.h"
 #include "libscene/base/atomic.h"
-#include "libscene/cuda/device_primitives.h"
+#include "libscene/cuda/device_records.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/scene_view.h"
 #include "renderer/cuda/kernel.h"

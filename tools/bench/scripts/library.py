@@ -114,7 +114,10 @@ class Embree:
 
     def __init__(self, vertices, faces, quality):
         self.embree = embree = ctypes.CDLL("libembree3.so.3")
-        made = lambda create, *arguments: (setattr(create, "restype", c_void_p), c_void_p(create(*arguments)))[1]
+
+        def made(create, *arguments):
+            create.restype = c_void_p
+            return c_void_p(create(*arguments))
         self.device = made(embree.rtcNewDevice, None)
         self.scene = made(embree.rtcNewScene, self.device)
         embree.rtcSetSceneFlags(self.scene, 4)  # RTC_SCENE_FLAG_ROBUST

@@ -29,7 +29,7 @@ def peer_rates():
 
 PEERS = peer_rates()
 # By triangles: milliseconds to prepare and million rays per second, by cuBQL's two builders.
-ANSWERS = {int(row[0]): row[1:] for row in map(str.split, (pathlib.Path(__file__).parent / "answers.tsv").read_text().splitlines())
+ANSWERS = {row[0]: row[1:] for row in map(str.split, (pathlib.Path(__file__).parent / "answers.tsv").read_text().splitlines())
            if row[0] != "#"}
 
 # Steps and tests a ray, of the pictures of 513x513 pixels: the least of the grids and octrees that V. Havran compared.
@@ -270,10 +270,11 @@ def tables(results):
     def answer():
         rows = []
         for key, run in runs["answer"].items():
-            found, device = run["output"], key.partition(".")[0]
+            device, _, size = key.partition(".")
+            found = run["output"]
             cells = {name: f"{of['prepare_ms']:.3g}, {of['mrays']:.4g}" for name, of in found["tracers"].items()}
             if device == "cuda":
-                peer = ANSWERS.get(round(found["triangles"], -5) or found["triangles"], [])
+                peer = ANSWERS.get(size, [])
                 cells |= {f"cuBQL, {how}": ", ".join(pair) for how, pair in zip(("median", "SAH"), (peer[:2], peer[2:])) if pair}
             taken = found["bytes_a_triangle"]
             rows.append([f"{found['triangles']:,}, " + (machine["device"] if device == "cuda" else f"{machine['cores']} cores"),
