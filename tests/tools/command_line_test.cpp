@@ -260,7 +260,9 @@ TEST_F(StandardStreams, FilesAreTheSameWhicheverAreClosedAndWhereStandardErrorIs
   for (const Writing& writing : quiet_writings()) {
     ASSERT_EQ(run(writing.tool, writing.arguments).code, 0) << writing.tool;
     const Bytes expected = read_bytes(writing.output);
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    // gridview takes seconds: the first one, and the last, where all are closed.
+    const std::size_t step = writing.tool == "gridview" ? all.size() - 1 : 1;
+    for (std::size_t i = 0; i < all.size(); i += step) {
       std::filesystem::remove(writing.output);
       EXPECT_EQ(run(writing.tool, writing.arguments, all[i]).code, 0) << writing.tool << " " << i;
       EXPECT_TRUE(is_written(writing, expected)) << writing.tool << " " << i;
