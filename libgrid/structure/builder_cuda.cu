@@ -4,6 +4,7 @@
 #include "libgrid/hierarchy/leaf_passes.h"
 #include "libgrid/hierarchy/moved_hierarchy.h"
 #include "libgrid/hierarchy/refit_passes.h"
+#include "libgrid/hierarchy/spatial_split_passes.h"
 #include "libgrid/hierarchy/top_down_passes.h"
 #include "libgrid/structure/builder.h"
 #include "libscene/base/stopwatch.h"
@@ -73,12 +74,10 @@ public:
   CudaBuilder& operator=(const CudaBuilder&) = delete;
 
   Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) override {
-    if (options.kind == StructureKind::hierarchy && options.quality == HierarchyQuality::high)
-      return build_hierarchy(host_, layout, options.quality, &this->progress()); // by the CPU
     return on_gpu(gpu_, &this->progress(), [&] {
       if (options.kind == StructureKind::hierarchy) {
         check_hierarchy(host_.primitive_count(), layout.space);
-        return built([&] { return fast_hierarchy(device_->view, layout); });
+        return built([&] { return hierarchy(device_->view, layout, options.quality); });
       }
       if (options.kind == StructureKind::uniform)
         return built([&] {
@@ -123,14 +122,19 @@ private:
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
     uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
     merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {StructureKind::irregular});
-    fast_hierarchy(uploaded.view, layout);
+    for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast})
+      hierarchy(uploaded.view, layout, quality);
     check(cudaDeviceSynchronize());
   }
 
-  ExecutorStructure<CudaExecutor> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout) {
+  ExecutorStructure<CudaExecutor> hierarchy(const SceneView<Stored>& scene, const GridLayout& layout,
+                                            HierarchyQuality quality) {
+    auto leaves = hierarchy_leaves(*executor_, scene, layout);
     return collapsed_hierarchy(
         *executor_, layout,
-        top_down_hierarchy(*executor_, hierarchy_leaves(*executor_, scene, layout), layout.space));
+        quality == HierarchyQuality::fast
+            ? top_down_hierarchy(*executor_, leaves, layout.space)
+            : spatial_split_hierarchy(*executor_, scene, layout.margin, std::move(leaves)));
   }
 
   template <class Build>
