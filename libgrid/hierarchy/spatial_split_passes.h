@@ -92,9 +92,9 @@ struct FragmentOrder {
 // Passes over ranges. `Work` sums up a range's fragments and acts on the sum:
 //
 //   concerns(range)                     whether there is anything to do
-//   Sum: clear(group), put(group, to), join(group, of chunks, how many)
-//   add(group, sum, range, first, end)  what some of its fragments add
+//   sum_up(group, sum, range, first, end)  of those of its fragments
 //   finish(group, sum, range)
+//   Sum: put(group, to), join(group, of chunks, how many)
 template <class Work>
 struct SumRanges {
   using Scratch = typename Work::Sum;
@@ -112,16 +112,14 @@ struct SumRanges {
   template <class ThreadGroup>
   MASU_HD void operator()(const ThreadGroup& group, Scratch& sum, std::uint64_t i) const {
     if (size(i) == 0) return;
-    const std::uint64_t own = owner(i);
+    const std::uint64_t own = owner(i), chunk = i - range_count;
+    const bool is_whole = i < range_count;
     const auto [first, count, room] = ranges[own];
-    const std::uint64_t chunk = i - range_count;
     const std::uint32_t begin =
-        i < range_count ? 0 : static_cast<std::uint32_t>(chunk - before[own].chunks) * most_in_chunk;
-    sum.clear(group);
+        is_whole ? 0 : static_cast<std::uint32_t>(chunk - before[own].chunks) * most_in_chunk;
+    work.sum_up(group, sum, own, first + begin, first + std::min(count, begin + most_in_chunk));
     group.sync();
-    work.add(group, sum, own, first + begin, first + std::min(count, begin + most_in_chunk));
-    group.sync();
-    if (i < range_count)
+    if (is_whole)
       work.finish(group, sum, own);
     else
       sum.put(group, chunk_sums[chunk]);
@@ -152,8 +150,6 @@ struct JoinChunks {
   MASU_HD void operator()(const ThreadGroup& group, Scratch& sum, std::uint64_t chunk) const {
     if (size(chunk) == 0) return;
     const std::uint64_t own = owner(chunk);
-    sum.clear(group);
-    group.sync();
     sum.join(group, chunk_sums + chunk, before[own + 1].chunks - before[own].chunks);
     group.sync();
     work.finish(group, sum, own);
@@ -182,9 +178,13 @@ struct FindExtents {
   struct Sum {
     Boxf box, centres;
 
+    // Of threads' own.
     template <class ThreadGroup>
-    MASU_HD void clear(const ThreadGroup& group) {
+    MASU_HD void gather(const ThreadGroup& group, const Boxf& own, const Boxf& own_centres) {
       if (group.thread_rank() == 0) box = centres = empty_box<float>();
+      group.sync();
+      group.join(box, own);
+      group.join(centres, own_centres);
     }
     template <class ThreadGroup>
     MASU_HD void put(const ThreadGroup& group, Sum& to) const {
@@ -197,8 +197,7 @@ struct FindExtents {
         own = masu::join(own, chunks[i].box);
         own_centres = masu::join(own_centres, chunks[i].centres);
       }
-      group.join(box, own);
-      group.join(centres, own_centres);
+      gather(group, own, own_centres);
     }
   };
   const BinaryNode* fragments;
@@ -208,16 +207,15 @@ struct FindExtents {
 
   MASU_HD bool concerns(std::uint64_t range) const { return ranges[range].count > 1; }
   template <class ThreadGroup>
-  MASU_HD void add(const ThreadGroup& group, Sum& sum, std::uint64_t, std::uint32_t first,
-                   std::uint32_t end) const {
+  MASU_HD void sum_up(const ThreadGroup& group, Sum& sum, std::uint64_t, std::uint32_t first,
+                      std::uint32_t end) const {
     Boxf own = empty_box<float>(), own_centres = own;
     for (std::uint32_t i = first + group.thread_rank(); i < end; i += group.size()) {
       const BinaryNode fragment = fragments[i];
       own = join(own, fragment.box());
       own_centres = join(own_centres, fragment.min + fragment.max);
     }
-    group.join(sum.box, own);
-    group.join(sum.centres, own_centres);
+    sum.gather(group, own, own_centres);
   }
   template <class ThreadGroup>
   MASU_HD void finish(const ThreadGroup& group, const Sum& sum, std::uint64_t range) const {
@@ -266,21 +264,32 @@ struct BinSums {
   } along[3][most];
 
   template <class ThreadGroup>
-  MASU_HD void clear(const ThreadGroup& group) {
-    for_each(group, [](Bin& bin, std::int32_t, std::int32_t) { bin = {empty_box<float>(), 0, 0}; });
+  MASU_HD void clear(const ThreadGroup& group, std::int32_t bins) {
+    for_each(group, bins, [](Bin& bin, std::int32_t, std::int32_t) { bin = {empty_box<float>(), 0, 0}; });
+    group.sync();
   }
   template <class ThreadGroup>
   MASU_HD void put(const ThreadGroup& group, BinSums& to) {
-    for_each(group, [&](const Bin& bin, std::int32_t axis, std::int32_t i) { to.along[axis][i] = bin; });
+    for_each(group, most,
+             [&](const Bin& bin, std::int32_t axis, std::int32_t i) { to.along[axis][i] = bin; });
   }
   template <class ThreadGroup>
   MASU_HD void join(const ThreadGroup& group, const BinSums* chunks, std::uint32_t count) {
-    for_each(group, [&](Bin& bin, std::int32_t axis, std::int32_t i) {
-      for (std::uint32_t c = 0; c < count; ++c) {
+    for_each(group, most, [&](Bin& bin, std::int32_t axis, std::int32_t i) {
+      Bin sum = chunks[0].along[axis][i];
+      for (std::uint32_t c = 1; c < count; ++c) {
         const Bin& other = chunks[c].along[axis][i];
-        bin = {masu::join(bin.box, other.box), bin.begin + other.begin, bin.end + other.end};
+        sum = {masu::join(sum.box, other.box), sum.begin + other.begin, sum.end + other.end};
       }
+      bin = sum;
     });
+  }
+  // act(bin, axis, which along it), of the first so many along each.
+  template <class ThreadGroup, class Act>
+  MASU_HD void for_each(const ThreadGroup& group, std::int32_t bins, const Act& act) {
+    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bins;
+         i += static_cast<std::int32_t>(group.size()))
+      act(along[i / bins][i % bins], i / bins, i % bins);
   }
   // Of the first so many bins along each axis, for the first thread.
   template <class ThreadGroup>
@@ -298,14 +307,6 @@ struct BinSums {
       add_candidate(candidate, left, right, best);
     }
     return group.first_of_all(best);
-  }
-
-private:
-  template <class ThreadGroup, class Act>
-  MASU_HD void for_each(const ThreadGroup& group, const Act& act) {
-    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * most;
-         i += static_cast<std::int32_t>(group.size()))
-      act(along[i / most][i % most], i / most, i % most);
   }
 };
 
@@ -346,13 +347,15 @@ struct SplitObjects {
   const Boxf* centres;
   const BinaryNode* root;
   RangeSplit* splits;
+  std::uint32_t* overlapping; // ranges: counted
   std::uint64_t fewest_in_halves;
 
   MASU_HD bool concerns(std::uint64_t range) const { return ranges[range].count > 1; }
   template <class ThreadGroup>
-  MASU_HD void add(const ThreadGroup& group, Sum& sum, std::uint64_t range, std::uint32_t first,
-                   std::uint32_t end) const {
+  MASU_HD void sum_up(const ThreadGroup& group, Sum& sum, std::uint64_t range, std::uint32_t first,
+                      std::uint32_t end) const {
     if (ranges[range].count <= few_leaves) return;
+    sum.clear(group, bins_by_centre(ranges[range].count));
     const FragmentBins bins[] = {bins_along(range, 0), bins_along(range, 1), bins_along(range, 2)};
     for (std::uint32_t i = first + group.thread_rank(); i < end; i += group.size()) {
       const BinaryNode fragment = fragments[i];
@@ -367,16 +370,15 @@ struct SplitObjects {
   MASU_HD void finish(const ThreadGroup& group, Sum& sum, std::uint64_t range) const {
     const auto [first, count, room] = ranges[range];
     const std::int32_t bin_count = bins_by_centre(count);
-    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bin_count;
-         i += static_cast<std::int32_t>(group.size())) {
-      auto& bin = sum.along[i / bin_count][i % bin_count];
-      bin.end = bin.begin;
-    }
-    group.sync();
     const bool is_halved = count >= fewest_in_halves, is_few = count <= few_leaves;
-    const BinSplit best = is_halved ? BinSplit{}
-                          : is_few  ? cheapest_of_few(group, range)
-                                    : sum.cheapest(group, bin_count);
+    BinSplit best;
+    if (is_few && !is_halved) best = cheapest_of_few(group, range);
+    if (!is_few && !is_halved) {
+      // Each begins and ends in a bin.
+      sum.for_each(group, bin_count, [](auto& bin, std::int32_t, std::int32_t) { bin.end = bin.begin; });
+      group.sync();
+      best = sum.cheapest(group, bin_count);
+    }
     if (group.thread_rank() != 0) return;
     RangeSplit split;
     if (best.axis >= 0) {
@@ -393,6 +395,7 @@ struct SplitObjects {
       const Boxf overlap = common(left, right);
       split.overlaps = room > 0 && !is_empty(overlap) &&
                        half_area(overlap) > overlap_worth_splitting * half_area(root->box());
+      if (split.overlaps) static_cast<void>(added(*overlapping, 1));
     }
     splits[range] = split;
   }
@@ -436,8 +439,9 @@ struct SplitSpace {
     return ranges[range].count > 1 && splits[range].overlaps;
   }
   template <class ThreadGroup>
-  MASU_HD void add(const ThreadGroup& group, Sum& sum, std::uint64_t range, std::uint32_t first,
-                   std::uint32_t end) const {
+  MASU_HD void sum_up(const ThreadGroup& group, Sum& sum, std::uint64_t range, std::uint32_t first,
+                      std::uint32_t end) const {
+    sum.clear(group, bins_in_space);
     const FragmentBins bins[] = {bins_along(range, 0), bins_along(range, 1), bins_along(range, 2)};
     for (std::uint32_t i = first + group.thread_rank(); i < end; i += group.size()) {
       const BinaryNode fragment = fragments[i];
@@ -484,23 +488,21 @@ private:
   }
 };
 
-// The splits of a level's ranges; writes their nodes' boxes.
-template <class Executor, class Stored>
-ArrayOf<Executor, RangeSplit>
-splits_of(Executor& executor, const SceneView<Stored>& scene, double margin, FragmentLevel<Executor>& level,
-          const RangeSums& all, const FragmentOrder<Executor>& order, const BinaryNode* root, int depth) {
-  const std::uint64_t range_count = level.ranges.size();
-  auto splits = executor.template array<RangeSplit>(range_count);
-  auto centres = executor.template array<Boxf>(range_count);
+// The splits by centres of a level's ranges, and how many are tried by planes; writes their nodes' boxes.
+template <class Executor>
+std::uint32_t split_objects(Executor& executor, FragmentLevel<Executor>& level, const RangeSums& all,
+                            const FragmentOrder<Executor>& order, const BinaryNode* root, int depth,
+                            ArrayOf<Executor, RangeSplit>& splits) {
+  auto centres = executor.template array<Boxf>(level.ranges.size());
+  auto overlapping = executor.template zeros<std::uint32_t>(1);
   const BinaryNode* const fragments = order.fragments.data();
   const FragmentRange* const ranges = level.ranges.data();
-  BinaryNode* const nodes = level.nodes.data();
-  over_ranges(executor, level, all.chunks, FindExtents{fragments, ranges, nodes, centres.data()});
   over_ranges(executor, level, all.chunks,
-              SplitObjects{fragments, ranges, centres.data(), root, splits.data(), fewest_halved(depth)});
+              FindExtents{fragments, ranges, level.nodes.data(), centres.data()});
   over_ranges(executor, level, all.chunks,
-              SplitSpace<Stored>{scene, margin, fragments, nodes, splits.data(), ranges});
-  return splits;
+              SplitObjects{fragments, ranges, centres.data(), root, splits.data(), overlapping.data(),
+                           fewest_halved(depth)});
+  return executor.value(overlapping, 0);
 }
 
 // Divides what crosses the planes of splits: of each range the first ones that do, as long as there is room.
@@ -673,8 +675,13 @@ BinaryHierarchy<Executor> spatial_split_hierarchy(Executor& executor, const Scen
     levels.push_back(std::move(next));
     FragmentLevel<Executor>& level = levels.back();
     if (all.children == 0) break;
-    auto splits = splits_of(executor, scene, margin, level, all, order, levels.front().nodes.data(), depth);
-    divide(executor, scene, margin, splits, level, order);
+    auto splits = executor.template array<RangeSplit>(level.ranges.size());
+    if (split_objects(executor, level, all, order, levels.front().nodes.data(), depth, splits) > 0) {
+      over_ranges(executor, level, all.chunks,
+                  SplitSpace<Stored>{scene, margin, order.fragments.data(), level.nodes.data(), splits.data(),
+                                     level.ranges.data()});
+      divide(executor, scene, margin, splits, level, order);
+    }
     next = next_level(executor, splits, level, all.children, order, all);
   }
   return combined(executor, std::move(levels));
