@@ -16,6 +16,7 @@
 
 #include <chrono>
 #include <future>
+#include <vector>
 
 namespace masu {
 namespace {
@@ -113,12 +114,19 @@ public:
 private:
   // Code is brought to the device when it is first called: this isn't timed.
   void warm_up() {
-    const Triangle<Stored> triangle{{0, 0, 0}, 0, {1, 0, 0}, 0, {0, 1, 1}, no_normals};
-    const Triangle<Stored> pair[] = {triangle, triangle}; // of one, nothing is split
-    SceneView<Stored> two{};
-    two.triangles = pair;
-    two.triangle_count = 2;
-    const UploadedScene<Stored> uploaded(two, *pool_);
+    // One that is worth dividing, among so many that their hierarchy's root is more than a chunk.
+    const auto triangle = [](Stored at, Stored size) {
+      return Triangle<Stored>{{at, at, at}, 0, {at + size, at, at}, 0, {at, at + size, at + size},
+                              no_normals};
+    };
+    std::vector<Triangle<Stored>> triangles{triangle(0, 1)};
+    constexpr auto small = Stored{1} / most_in_chunk;
+    for (std::uint32_t i = 0; i < most_in_chunk; ++i)
+      triangles.push_back(triangle(static_cast<Stored>(i) * small, small));
+    SceneView<Stored> scene{};
+    scene.triangles = triangles.data();
+    scene.triangle_count = static_cast<std::uint32_t>(triangles.size());
+    const UploadedScene<Stored> uploaded(scene, *pool_);
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
     uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
     merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {StructureKind::irregular});
