@@ -216,8 +216,7 @@ typedef enum masu_merge {
   MASU_MERGE_IRREGULAR = 4
 } masu_merge;
 
-/* Of a hierarchy: high divides primitives where boxes would overlap; fast takes a third of the time, also on
- * a GPU. */
+/* Of a hierarchy: high divides primitives where boxes would overlap; fast takes a third of the time. */
 typedef enum masu_quality { MASU_QUALITY_HIGH = 0, MASU_QUALITY_FAST = 1 } masu_quality;
 
 /* As gridbuild's options. masu_default_build_options() fills in the defaults, which aren't all zero; NULL

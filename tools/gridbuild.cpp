@@ -73,8 +73,6 @@ void build(const Settings& settings, const SceneFile& file) {
   if (settings.quiet && !settings.json) return;
   const bool is_hierarchy = grid.kind == StructureKind::hierarchy,
              is_irregular = grid.kind == StructureKind::irregular;
-  const bool on_gpu =
-      with_gpu && (!is_hierarchy || settings.options.structure.quality == HierarchyQuality::fast);
   const DeviceSeconds on_device = builder->device_seconds();
   nlohmann::ordered_json json;
   std::string text; // what was built, for people
@@ -96,14 +94,14 @@ void build(const Settings& settings, const SceneFile& file) {
   }
   if (settings.json) {
     if (is_irregular) json["detail"] = grid.detail;
-    if (on_gpu)
+    if (with_gpu)
       json["device_seconds"] = {{"set_up", on_device.set_up},
                                 {"upload", on_device.upload},
                                 {"build", on_device.build},
                                 {"download", on_device.download}};
     json.update({{"build_seconds", seconds},
                  {"total_seconds", total_seconds},
-                 {"device", on_gpu ? cuda_device_name() : "cpu"},
+                 {"device", with_gpu ? cuda_device_name() : "cpu"},
                  {"scene_hash", to_hex(file.hash())}});
     if (!considered.empty()) json["considered"] = considered_json(considered);
     json.update(provenance());
@@ -113,7 +111,7 @@ void build(const Settings& settings, const SceneFile& file) {
                total_seconds - seconds);
   if (is_irregular && grid.detail < settings.options.structure.detail)
     print_report(settings, "built with --detail {}: with more it would be too large\n", grid.detail);
-  if (on_gpu)
+  if (with_gpu)
     print_report(settings,
                  "on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
                  on_device.set_up, on_device.upload, on_device.build, on_device.download);
@@ -156,7 +154,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_choice("--quality", settings.options.structure.quality,
                      {{"high", HierarchyQuality::high}, {"fast", HierarchyQuality::fast}},
                      "of a hierarchy: high (primitives are divided where boxes would overlap) or fast (in a "
-                     "third of the time, also on a GPU)");
+                     "third of the time)");
   command.add_choice("--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
                      "the processor that will trace: what the automatic choices (--structure fastest, "
                      "--merge auto, --division auto) count a step and a test by");
@@ -183,9 +181,8 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_number("--expand", settings.options.structure.expand, 0, 64,
                      "irregular: rounds of expanding cells over neighbours that list nothing else");
   command.group("General");
-  command.add_choice(
-      "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
-      "where to build; the file is the same (a hierarchy of high quality is always built on the CPU)");
+  command.add_choice("--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
+                     "where to build; the file is the same");
   command.add_quiet(settings.quiet, "no progress on standard error, and no report without --json");
   settings.threads.add_to(command);
 }

@@ -1,6 +1,6 @@
 #include "libgrid/hierarchy/binary_hierarchy.h"
 
-#include "libgrid/grid/overlap/clipped_bounds.h"
+#include "libgrid/hierarchy/fragment_split.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/split_lanes.h"
 #ifdef MASU_HOST_AVX2
@@ -13,14 +13,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <bit>
 #include <utility>
 
 namespace masu {
 
 namespace {
-
-constexpr int most_bins = 32, bins_in_space = 16;
 
 bool holds_something(const LaneBox& box) {
   return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
@@ -72,17 +69,18 @@ struct Bins {
   }
 };
 
-// How a box is divided into bins along each axis.
+// FragmentBins along each axis.
 struct Binning {
-  Lanes4 low, unit, bins_per_unit{};
+  Lanes4 low{}, unit{}, bins_per_unit{};
   int bins;
 
-  Binning(const LaneBox& box, int bins_)
-      : low(box.low), unit((box.high - box.low) / static_cast<float>(bins_)), bins(bins_) {
+  Binning(const LaneBox& box, int bins_) : bins(bins_) {
     low[3] = 1; // far from numbers so small that arithmetic is slow
     for (int axis = 0; axis < 3; ++axis) {
-      const float scale = static_cast<float>(bins) * 0.99999F / (box.high[axis] - box.low[axis]);
-      bins_per_unit[axis] = box.high[axis] > box.low[axis] && std::isfinite(scale) ? scale : 0;
+      const FragmentBins along(box.low[axis], box.high[axis], bins);
+      low[axis] = along.low;
+      unit[axis] = along.unit;
+      bins_per_unit[axis] = along.per_unit;
     }
   }
   WholeLanes4 bins_of(Lanes4 place) const {
@@ -102,23 +100,21 @@ struct ObjectSplit {
   LaneBox left, right;
 };
 
-// The bounds of what of a primitive lies on either side of a plane, with the margin.
-struct Sides {
+// Sides in lanes.
+struct LaneSides {
   LaneBox below, above;
+
+  LaneSides(const LaneBox& below_, const LaneBox& above_) : below(below_), above(above_) {}
+  explicit LaneSides(const Sides& sides) : below(in_lanes(sides.below)), above(in_lanes(sides.above)) {}
+
+private:
+  static LaneBox in_lanes(const Boxf& box) {
+    return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
+  }
 };
-template <class Primitive>
-Sides sides_with_margin(const Primitive& primitive, int axis, double plane, double margin) {
-  const auto part = [&](const Boxd& bounds) {
-    if (is_empty(bounds)) return LaneBox{};
-    const Boxf box = box_around(bounds, margin);
-    return LaneBox{Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
-  };
-  const ClippedBounds sides = sides_of(primitive, axis, plane, plane);
-  return {part(sides.below), part(sides.above)};
-}
 
 // Cuts what is left of a fragment across an axis where a bin ends, and adds to the bin what lies in it.
-void cut_off(const Sides& primitive, int axis, LaneBox& rest, AxisBin& bin) {
+void cut_off(const LaneSides& primitive, int axis, LaneBox& rest, AxisBin& bin) {
   const LaneBox below = common(primitive.below, rest);
   if (holds_something(below)) bin.join(axis, below);
   rest = common(primitive.above, rest);
@@ -130,8 +126,8 @@ void cut_off_all(const Primitive& primitive, const Binning& binning, WholeLanes4
                  double margin, LaneBox (&rest)[3], Bins& bins) {
   for (int axis = 0; axis < 3; ++axis)
     for (int bin = first[axis]; bin < last[axis]; ++bin)
-      cut_off(sides_with_margin(primitive, axis, binning.plane(axis, bin), margin), axis, rest[axis],
-              bins.of[bin]);
+      cut_off(LaneSides(sides_with_margin(primitive, axis, binning.plane(axis, bin), margin)), axis,
+              rest[axis], bins.of[bin]);
 }
 
 #ifdef MASU_HOST_AVX2
@@ -180,10 +176,6 @@ __attribute__((flatten)) void cut_off_all(const Triangle<double>& triangle, cons
   if (count > 0) cut();
 }
 #endif
-
-// Where the boxes of the best object split overlap by less than this share of the root's surface, a spatial
-// one isn't tried.
-constexpr float overlap_worth_splitting = 1e-4F;
 
 template <class Stored>
 class BinaryBuilder {
@@ -390,16 +382,15 @@ private:
 
   // The first of them go left. Both get room and places in proportion.
   static Halves with_room(const FragmentRange& range, std::uint32_t left_count) {
-    const auto share = [&](std::uint32_t number) {
-      return static_cast<std::uint32_t>(static_cast<double>(number) * left_count / range.count);
-    };
-    const std::uint32_t room = share(range.room), places = share(range.places);
+    const std::uint32_t room = room_of_left(range.room, left_count, range.count),
+                        places = room_of_left(range.places, left_count, range.count);
     HierarchyFragment* const right = range.first + left_count;
     if (places > 0) std::move_backward(right, range.end(), range.end() + places);
     return {{range.first, left_count, places, room},
             {right + places, range.count - left_count, range.places - places, range.room - room}};
   }
 
+  // In the order that Partition (spatial_split_passes.h) has, too.
   template <class GoesLeft>
   static std::uint32_t partitioned(const FragmentRange& range, const GoesLeft& goes_left) {
     return static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), goes_left) - range.first);
@@ -419,7 +410,7 @@ private:
         continue;
       HierarchyFragment below = fragment, above = fragment;
       with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
-        const Sides sides = sides_with_margin(primitive, best.axis, plane, margin_);
+        const LaneSides sides(sides_with_margin(primitive, best.axis, plane, margin_));
         below.box = common(sides.below, fragment.box);
         above.box = common(sides.above, fragment.box);
       });
@@ -447,11 +438,8 @@ private:
 
   Halves halves_of(const FragmentRange& range, const Extent& extent, int depth,
                    HostArray<HierarchyFragment>& moved) {
-    // Halves are taken where else the hierarchy would become too deep for the walk's stack. A spatial split
-    // may leave twice as many fragments on one side.
-    if (depth + static_cast<int>(std::bit_width(range.count)) + 1 >= max_hierarchy_depth)
-      return with_room(range, range.count / 2);
-    const Binning by_centre(extent.centres, range.count > 64 ? most_bins : most_bins / 2);
+    if (range.count >= fewest_halved(depth)) return with_room(range, range.count / 2);
+    const Binning by_centre(extent.centres, bins_by_centre(range.count));
     const ObjectSplit objects = object_split(range, by_centre);
     const LaneBox overlap = common(objects.left, objects.right);
     if (range.room > 0 && objects.axis >= 0 && holds_something(overlap) &&

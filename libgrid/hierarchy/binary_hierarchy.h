@@ -1,4 +1,5 @@
-// A binary bounding volume hierarchy of high quality, built on the host.
+// A binary bounding volume hierarchy of high quality (fragment_split.h), depth first on the host: the same as
+// of spatial_split_passes.h, but for the numbers of nodes.
 #pragma once
 
 #include "libgrid/hierarchy/collapse_passes.h"

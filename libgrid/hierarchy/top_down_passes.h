@@ -9,6 +9,7 @@
 // No byte of the result depends on the executor or its number of threads.
 #pragma once
 
+#include "libgrid/hierarchy/combine_passes.h"
 #include "libgrid/hierarchy/leaf_split.h"
 #include "libscene/passes/thread_group.h"
 
@@ -163,13 +164,29 @@ private:
   }
 };
 
+// What is known of a level's nodes before those below are made.
+struct SplitNodes {
+  const BinaryNode* leaves;
+  const LeafRange* ranges;
+  const std::uint32_t* first_children;
+
+  MASU_HD bool is_leaf(std::uint64_t i) const { return ranges[i].count == 1; }
+  MASU_HD const BinaryNode& leaf(std::uint64_t i) const { return leaves[ranges[i].first]; }
+  MASU_HD std::uint32_t first_child(std::uint64_t i) const { return first_children[i]; }
+  MASU_HD Boxf box(std::uint64_t, const BinaryNode& left, const BinaryNode& right) const {
+    return join(left.box(), right.box());
+  }
+};
+
 // Nodes of one depth. The children of the first are the first two of the next level, and so on.
 template <class Executor>
 struct BinaryLevel {
+  const BinaryNode* leaves = nullptr; // of all levels
   ArrayOf<Executor, LeafRange> ranges{};
   ArrayOf<Executor, Boxf> spaces{}; // in which twice the centres of a range's leaves are; until it is split
   ArrayOf<Executor, std::uint32_t> first_child{};
-  std::uint32_t first_node = 0; // its nodes' numbers in the hierarchy follow one another
+
+  SplitNodes split_nodes() const { return {leaves, ranges.data(), first_child.data()}; }
 };
 
 // Leaves sorted by their ranges in a level, but for those that are alone.
@@ -184,12 +201,11 @@ struct LeafOrder {
 
 // Splits a level's ranges and sorts the leaves anew; returns the next level.
 template <class Executor>
-BinaryLevel<Executor> split_level(Executor& executor, const ArrayOf<Executor, BinaryNode>& leaves,
-                                  std::uint32_t most, BinaryLevel<Executor>& level,
+BinaryLevel<Executor> split_level(Executor& executor, std::uint32_t most, BinaryLevel<Executor>& level,
                                   LeafOrder<Executor>& order) {
   const std::uint64_t range_count = level.ranges.size(), count = order.leaves.size();
   auto splits = executor.template array<LeafSplit>(range_count);
-  const BinaryNode* const leaf = leaves.data();
+  const BinaryNode* const leaf = level.leaves;
   const std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
   const LeafRange* const range = level.ranges.data();
   const Boxf* const space = level.spaces.data();
@@ -202,7 +218,7 @@ BinaryLevel<Executor> split_level(Executor& executor, const ArrayOf<Executor, Bi
   });
   const std::uint32_t *const first_child = level.first_child.data(), *const left_before = left_sums.data();
   const std::uint64_t child_count = executor.value(level.first_child, range_count);
-  BinaryLevel<Executor> below{executor.template array<LeafRange>(child_count),
+  BinaryLevel<Executor> below{leaf, executor.template array<LeafRange>(child_count),
                               executor.template array<Boxf>(child_count)};
   LeafRange* const child = below.ranges.data();
   Boxf* const child_space = below.spaces.data();
@@ -252,18 +268,15 @@ template <class Executor>
 BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, const ArrayOf<Executor, BinaryNode>& leaves,
                                              const Boxd& scene_space) {
   const std::uint64_t count = leaves.size();
-  BinaryHierarchy<Executor> hierarchy;
-  if (count == 0) return hierarchy;
-  // The root, one that isn't there, and the others in pairs.
-  hierarchy.nodes = executor.template array<BinaryNode>(2 * count);
-  hierarchy.choices = executor.template array<CollapseChoice>(2 * count);
+  if (count == 0) return {};
   LeafOrder<Executor> order(executor, count > 1 ? count : 0);
   std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
   executor.for_each(order.leaves.size(), [=] MASU_PASS(std::uint64_t i) {
     ordered_leaf[i] = static_cast<std::uint32_t>(i);
     range_of[i] = 0;
   });
-  BinaryLevel<Executor> next{executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
+  BinaryLevel<Executor> next{leaves.data(), executor.template array<LeafRange>(1),
+                             executor.template array<Boxf>(1)};
   LeafRange* const all = next.ranges.data();
   Boxf* const space = next.spaces.data();
   executor.for_each(1, [=, centres = twice(cast<float>(scene_space))] MASU_PASS(std::uint64_t) {
@@ -271,43 +284,12 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, const ArrayOf<E
     *space = centres;
   });
   std::vector<BinaryLevel<Executor>> levels;
-  for (std::uint32_t first_pair = 1; next.ranges.size() > 0;) {
+  while (next.ranges.size() > 0) {
     const std::uint32_t most = most_leaves_split(levels.size());
     levels.push_back(std::move(next));
-    next = split_level(executor, leaves, most, levels.back(), order);
-    next.first_node = 2 * first_pair;
-    first_pair += static_cast<std::uint32_t>(next.ranges.size() / 2);
+    next = split_level(executor, most, levels.back(), order);
   }
-  const BinaryNode* const leaf = leaves.data();
-  BinaryNode* const nodes = hierarchy.nodes.data();
-  CollapseChoice* const choices = hierarchy.choices.data();
-  std::uint32_t first_below = 0;
-  auto costs_below = executor.template array<CollapseCosts>(0);
-  for (; !levels.empty(); levels.pop_back()) {
-    const BinaryLevel<Executor>& level = levels.back();
-    auto level_costs = executor.template array<CollapseCosts>(level.ranges.size());
-    CollapseCosts* const costs = level_costs.data();
-    const CollapseCosts* const below = costs_below.data();
-    const LeafRange* const range = level.ranges.data();
-    const std::uint32_t* const first_child = level.first_child.data();
-    const std::uint32_t first_node = level.first_node;
-    executor.for_each(level.ranges.size(), [=] MASU_PASS(std::uint64_t i) {
-      BinaryNode& node = nodes[first_node + i];
-      if (range[i].count == 1) {
-        node = leaf[range[i].first];
-        costs[i] = collapse_costs_of_leaf(node);
-      } else {
-        const std::uint32_t child = first_child[i], left = first_below + child;
-        const Boxf box = join(nodes[left].box(), nodes[left + 1].box());
-        node = {box.min, left, box.max, nodes[left].count + nodes[left + 1].count};
-        costs[i] = collapse_costs(node, below[child], below[child + 1]);
-      }
-      choices[first_node + i] = costs[i].choice;
-    });
-    first_below = first_node;
-    costs_below = std::move(level_costs);
-  }
-  return hierarchy;
+  return combined(executor, std::move(levels));
 }
 
 } // namespace masu

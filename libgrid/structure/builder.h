@@ -26,9 +26,9 @@ public:
   StructureBuilder& operator=(const StructureBuilder&) = delete;
   virtual ~StructureBuilder() = default;
 
-  // A grid of any kind but automatic. For a hierarchy the layout's space and margin matter alone, and every
-  // builder builds one of high quality on the CPU. Throws Error(input) for more primitives than grids can
-  // number, and Error(usage, "structure", …) for a hierarchy of a scene that reaches too far.
+  // A grid of any kind but automatic. For a hierarchy the layout's space and margin matter alone. Throws
+  // Error(input) for more primitives than grids can number, and Error(usage, "structure", …) for a hierarchy
+  // of a scene that reaches too far.
   virtual Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) = 0;
   // The same, but throws Error(usage, "division", …) for a layout that exceeds a limit.
   Structure build(const GridLayout& layout, Overlap overlap, const StructureOptions& options = {});

@@ -4,6 +4,7 @@
 #include "libgrid/hierarchy/leaf_passes.h"
 #include "libgrid/hierarchy/moved_hierarchy.h"
 #include "libgrid/hierarchy/refit_passes.h"
+#include "libgrid/hierarchy/spatial_split_passes.h"
 #include "libgrid/hierarchy/top_down_passes.h"
 #include "libgrid/structure/builder.h"
 #include "libscene/base/stopwatch.h"
@@ -15,6 +16,7 @@
 
 #include <chrono>
 #include <future>
+#include <vector>
 
 namespace masu {
 namespace {
@@ -73,12 +75,10 @@ public:
   CudaBuilder& operator=(const CudaBuilder&) = delete;
 
   Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) override {
-    if (options.kind == StructureKind::hierarchy && options.quality == HierarchyQuality::high)
-      return build_hierarchy(host_, layout, options.quality, &this->progress()); // by the CPU
     return on_gpu(gpu_, &this->progress(), [&] {
       if (options.kind == StructureKind::hierarchy) {
         check_hierarchy(host_.primitive_count(), layout.space);
-        return built([&] { return fast_hierarchy(device_->view, layout); });
+        return built([&] { return hierarchy(device_->view, layout, options.quality); });
       }
       if (options.kind == StructureKind::uniform)
         return built([&] {
@@ -114,23 +114,35 @@ public:
 private:
   // Code is brought to the device when it is first called: this isn't timed.
   void warm_up() {
-    const Triangle<Stored> triangle{{0, 0, 0}, 0, {1, 0, 0}, 0, {0, 1, 1}, no_normals};
-    const Triangle<Stored> pair[] = {triangle, triangle}; // of one, nothing is split
-    SceneView<Stored> two{};
-    two.triangles = pair;
-    two.triangle_count = 2;
-    const UploadedScene<Stored> uploaded(two, *pool_);
+    // One that is worth dividing, among so many that their hierarchy's root is more than a chunk.
+    const auto triangle = [](Stored at, Stored size) {
+      return Triangle<Stored>{{at, at, at}, 0, {at + size, at, at}, 0, {at, at + size, at + size},
+                              no_normals};
+    };
+    std::vector<Triangle<Stored>> triangles{triangle(0, 1)};
+    constexpr auto small = Stored{1} / most_in_chunk;
+    for (std::uint32_t i = 0; i < most_in_chunk; ++i)
+      triangles.push_back(triangle(static_cast<Stored>(i) * small, small));
+    SceneView<Stored> scene{};
+    scene.triangles = triangles.data();
+    scene.triangle_count = static_cast<std::uint32_t>(triangles.size());
+    const UploadedScene<Stored> uploaded(scene, *pool_);
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
     uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
     merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {StructureKind::irregular});
-    fast_hierarchy(uploaded.view, layout);
+    for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast})
+      hierarchy(uploaded.view, layout, quality);
     check(cudaDeviceSynchronize());
   }
 
-  ExecutorStructure<CudaExecutor> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout) {
+  ExecutorStructure<CudaExecutor> hierarchy(const SceneView<Stored>& scene, const GridLayout& layout,
+                                            HierarchyQuality quality) {
+    auto leaves = hierarchy_leaves(*executor_, scene, layout);
     return collapsed_hierarchy(
         *executor_, layout,
-        top_down_hierarchy(*executor_, hierarchy_leaves(*executor_, scene, layout), layout.space));
+        quality == HierarchyQuality::fast
+            ? top_down_hierarchy(*executor_, leaves, layout.space)
+            : spatial_split_hierarchy(*executor_, scene, layout.margin, std::move(leaves)));
   }
 
   template <class Build>

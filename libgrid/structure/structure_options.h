@@ -18,8 +18,8 @@ namespace masu {
 // What is built is of none of the last two. Merges are numbered as schemas/structure.fbs numbers them.
 enum class StructureKind { uniform, x, balance, irregular, hierarchy, automatic, fastest };
 
-// How a hierarchy is split: primitives, too, where boxes would overlap (high, binary_hierarchy.h), or none of
-// them (fast, top_down_passes.h), in a third of the time. Numbered as in schemas/structure.fbs.
+// How a hierarchy is split: primitives, too, where boxes would overlap (high, fragment_split.h), or none of
+// them (fast, leaf_split.h), in a third of the time. Numbered as in schemas/structure.fbs.
 enum class HierarchyQuality { high, fast };
 
 // A kind and its options; those of other kinds don't matter.

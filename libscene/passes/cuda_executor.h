@@ -121,12 +121,16 @@ inline constexpr unsigned threads = 256;
 // Most boxes hold few things: eight threads share one. What is too much for them is put on a list, whose
 // length is large[0].
 inline constexpr unsigned tile_width = 8, max_for_tile = 256;
+// Tiles of a block: as many as its shared memory holds the scratch of.
 template <class Work>
-__global__ void __launch_bounds__(threads)
+inline constexpr unsigned tiles =
+    std::min(threads / tile_width, std::bit_floor(unsigned{48 * 1024 / sizeof(typename Work::Scratch)}));
+template <class Work>
+__global__ void __launch_bounds__(tiles<Work>* tile_width)
     each_by_tile(std::uint64_t count, const __grid_constant__ Work work, std::uint32_t* large) {
-  __shared__ typename Work::Scratch scratch[threads / tile_width];
+  __shared__ typename Work::Scratch scratch[tiles<Work>];
   const unsigned own = threadIdx.x / tile_width;
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * (threads / tile_width) + own;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * tiles<Work> + own;
   if (i >= count) return;
   if (work.size(i) > max_for_tile) {
     if (threadIdx.x % tile_width == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
@@ -190,7 +194,7 @@ public:
     using namespace kernels;
     const auto large = array<std::uint32_t>(count + 1);
     check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
-    launch(each_by_tile<Work>, blocks_of(threads, count * tile_width), threads, nullptr, count, work,
+    launch(each_by_tile<Work>, blocks_of(tiles<Work>, count), tiles<Work> * tile_width, nullptr, count, work,
            large.data());
     launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
   }

@@ -24,15 +24,21 @@
 
 namespace masu {
 
-// The last i with begins[i] <= position, of `count` that rise from 0: whose range the position is in.
-MASU_HD inline std::uint64_t owner_of(const std::uint64_t* begins, std::uint64_t count,
-                                      std::uint64_t position) {
+// The last i with of(i) <= value, of `count` that rise from of(0) <= value.
+template <class Of, class Value>
+MASU_HD std::uint64_t last_not_above(std::uint64_t count, const Value& value, const Of& of) {
   std::uint64_t low = 0, high = count;
   while (high - low > 1) {
     const std::uint64_t middle = low + (high - low) / 2;
-    (begins[middle] <= position ? low : high) = middle;
+    (of(middle) <= value ? low : high) = middle;
   }
   return low;
+}
+
+// Of ranges that begin there, rising from 0: whose the position is in.
+MASU_HD inline std::uint64_t owner_of(const std::uint64_t* begins, std::uint64_t count,
+                                      std::uint64_t position) {
+  return last_not_above(count, position, [=](std::uint64_t i) { return begins[i]; });
 }
 
 template <class Executor, class T>

@@ -23,6 +23,20 @@ template <class Builder>
 class BuiltOnTheGpu : public BuilderComparison<Builder> {};
 TYPED_TEST_SUITE(BuiltOnTheGpu, Gpus);
 
+// Nodes of so many fragments that many blocks of threads share one.
+TYPED_TEST(BuiltOnTheGpu, AHierarchyOfManyTrianglesIsTheSameBytes) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  TestScene<Stored> scene;
+  add_triangles(scene, chance, 300'000, 0.02, 0.1);
+  add_triangles(scene, chance, 300, 1);
+  for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+    StructureOptions options{StructureKind::hierarchy};
+    options.quality = quality;
+    this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
+  }
+}
+
 // Boxes of so many parts that a block of threads divides them, and not a warp.
 TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
   using Stored = typename TypeParam::Stored;

@@ -89,16 +89,44 @@ TYPED_TEST_P(BuilderComparison, AMergedGridOfManyPartsIsTheSameBytes) {
   }
 }
 
-TYPED_TEST_P(BuilderComparison, AFastHierarchyIsTheSameBytes) {
-  StructureOptions options{StructureKind::hierarchy};
-  options.quality = HierarchyQuality::fast;
-  std::int64_t divided = 0;
-  for (std::int64_t s = cases(100); s > 0 && !this->HasFailure(); --s) {
-    auto scene = this->scene(s);
-    const Structure grid = this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
-    divided += grid.references.size() > scene.count();
+TYPED_TEST_P(BuilderComparison, AHierarchyIsTheSameBytes) {
+  for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+    StructureOptions options{StructureKind::hierarchy};
+    options.quality = quality;
+    std::int64_t divided = 0;
+    for (std::int64_t s = cases(100); s > 0 && !this->HasFailure(); --s) {
+      auto scene = this->scene(s);
+      const Structure grid =
+          this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
+      divided += grid.references.size() > scene.count();
+    }
+    EXPECT_GT(divided, 0);
   }
-  EXPECT_GT(divided, 0);
+}
+
+// Where what may be divided runs out, and where halves are taken: then the order of parts matters.
+TYPED_TEST_P(BuilderComparison, AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(20); s > 0 && !this->HasFailure(); --s) {
+    TestScene<Stored> scene;
+    const double width = chance.power_of_two(-10, 0); // of a needle
+    const auto polygon = [&] {
+      const Vec3d at = chance.in_cube(1), along = chance.in_cube(1);
+      scene.triangles.push_back(triangle_of(cast<Stored>(at - along), cast<Stored>(at + along),
+                                            cast<Stored>(at + chance.in_cube(width))));
+    };
+    for (int i = chance.whole(1, TypeParam::many / 4); i > 0; --i)
+      polygon();
+    if (chance.one_in(2)) scene.triangles.resize(chance.index(scene.triangles.size()) / 16 + 1);
+    if (chance.one_in(2)) repeat_primitives(scene, chance.whole(1, 12)); // coincident ones
+    if (chance.one_in(4)) scene.spheres.push_back(sphere_of<Stored>({0, 0, 0}, 1));
+    if (chance.one_in(4)) scene.cones.push_back(cone_of<Stored>({-1, 0, 0}, 1, {1, 1, 1}, 0.1));
+    EXPECT_GE(
+        this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, {StructureKind::hierarchy})
+            .references.size(),
+        scene.count());
+  }
 }
 
 TYPED_TEST_P(BuilderComparison, ARefittedHierarchyIsTheSameBytes) {
@@ -126,7 +154,7 @@ TYPED_TEST_P(BuilderComparison, AGridOfNothingIsTheSameBytes) {
 
 REGISTER_TYPED_TEST_SUITE_P(BuilderComparison, AUniformGridIsTheSameBytes, AUniformGridOfBlocksIsTheSameBytes,
                             AMergedGridIsTheSameBytes, AMergedGridOfManyPartsIsTheSameBytes,
-                            AFastHierarchyIsTheSameBytes, ARefittedHierarchyIsTheSameBytes,
-                            AGridOfNothingIsTheSameBytes);
+                            AHierarchyIsTheSameBytes, AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes,
+                            ARefittedHierarchyIsTheSameBytes, AGridOfNothingIsTheSameBytes);
 
 } // namespace masu

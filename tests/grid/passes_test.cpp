@@ -1,6 +1,7 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU; and sorting.
 #include "libgrid/hierarchy/leaf_passes.h"
 #include "libgrid/hierarchy/refit_passes.h"
+#include "libgrid/hierarchy/spatial_split_passes.h"
 #include "libgrid/hierarchy/top_down_passes.h"
 #include "libscene/mesh/move_passes.h"
 #include "libscene/passes/host_executor.h"
@@ -25,10 +26,12 @@ public:
       return uniform_grid(executor_, scene_, layout, overlap, options.max_references, options.max_map_words);
     if (options.kind != StructureKind::hierarchy)
       return merged_grid(executor_, scene_, layout, overlap, options);
-    if (options.quality == HierarchyQuality::high) return {build_hierarchy(scene_, layout)};
+    auto leaves = hierarchy_leaves(executor_, scene_, layout);
     return collapsed_hierarchy(
         executor_, layout,
-        top_down_hierarchy(executor_, hierarchy_leaves(executor_, scene_, layout), layout.space));
+        options.quality == HierarchyQuality::fast
+            ? top_down_hierarchy(executor_, std::move(leaves), layout.space)
+            : spatial_split_hierarchy(executor_, scene_, layout.margin, std::move(leaves)));
   }
   bool refit(const GridLayout& layout, Structure& hierarchy) override {
     if (!holds_all(executor_, scene_, hierarchy.references)) return false;

@@ -1,0 +1,346 @@
+// How a level's ranges of fragments are split (fragment_split.h), on whatever executor (executor.h).
+#pragma once
+
+#include "libgrid/hierarchy/fragment_levels.h"
+#include "libgrid/hierarchy/fragment_split.h"
+#include "libgrid/hierarchy/leaf_split.h"
+#include "libscene/base/atomic.h"
+#include "libscene/passes/thread_group.h"
+
+#include <algorithm>
+
+namespace masu {
+
+// Writes a node's box, and that of twice the centres.
+struct FindExtents {
+  struct Sum {
+    Boxf box, centres;
+
+    // Of threads' own.
+    template <class ThreadGroup>
+    MASU_HD void gather(const ThreadGroup& group, const Boxf& own, const Boxf& own_centres) {
+      if (group.thread_rank() == 0) box = centres = empty_box<float>();
+      group.sync();
+      group.join(box, own);
+      group.join(centres, own_centres);
+    }
+    template <class ThreadGroup>
+    MASU_HD void put(const ThreadGroup& group, Sum& to) const {
+      if (group.thread_rank() == 0) to = *this;
+    }
+    template <class ThreadGroup>
+    MASU_HD void join(const ThreadGroup& group, const Sum* chunks, std::uint32_t count) {
+      Boxf own = empty_box<float>(), own_centres = own;
+      for (std::uint32_t i = group.thread_rank(); i < count; i += group.size()) {
+        own = masu::join(own, chunks[i].box);
+        own_centres = masu::join(own_centres, chunks[i].centres);
+      }
+      gather(group, own, own_centres);
+    }
+  };
+  const BinaryNode* fragments;
+  const FragmentRange* ranges;
+  BinaryNode* nodes;
+  Boxf* centres;
+
+  MASU_HD bool concerns(std::uint64_t range) const { return ranges[range].count > 1; }
+  template <class ThreadGroup>
+  MASU_HD void sum_up(const ThreadGroup& group, Sum& sum, std::uint64_t, std::uint32_t first,
+                      std::uint32_t end) const {
+    Boxf own = empty_box<float>(), own_centres = own;
+    for (std::uint32_t i = first + group.thread_rank(); i < end; i += group.size()) {
+      const BinaryNode fragment = fragments[i];
+      own = join(own, fragment.box());
+      own_centres = join(own_centres, fragment.min + fragment.max);
+    }
+    sum.gather(group, own, own_centres);
+  }
+  template <class ThreadGroup>
+  MASU_HD void finish(const ThreadGroup& group, const Sum& sum, std::uint64_t range) const {
+    if (group.thread_rank() != 0) return;
+    nodes[range] = {sum.box.min, 0, sum.box.max, 0};
+    centres[range] = sum.centres;
+  }
+};
+
+// Between two bins along an axis.
+struct BinSplit {
+  float cost = INFINITY;
+  std::int32_t axis = -1; // none: everything is in one place
+  std::int32_t bin = 0;   // the last one that goes left
+};
+MASU_HD inline bool comes_before(const BinSplit& a, const BinSplit& b) {
+  if (a.cost != b.cost) return a.cost < b.cost;
+  return a.axis != b.axis ? a.axis < b.axis : a.bin < b.bin;
+}
+
+// Fragments on one side of a split.
+struct SplitSide {
+  Boxf box = empty_box<float>();
+  std::uint32_t count = 0;
+
+  MASU_HD void add(const Boxf& other, std::uint32_t by) {
+    box = join(box, other);
+    count += by;
+  }
+};
+MASU_HD inline void add_candidate(const BinSplit& candidate, const SplitSide& left, const SplitSide& right,
+                                  BinSplit& best) {
+  if (left.count == 0 || right.count == 0) return;
+  BinSplit split = candidate;
+  split.cost = split_cost(half_area(left.box), static_cast<float>(left.count), half_area(right.box),
+                          static_cast<float>(right.count));
+  if (comes_before(split, best)) best = split;
+}
+
+// What the bins along each axis hold: the join of boxes, and how many fragments begin and end there.
+template <std::int32_t most>
+struct BinSums {
+  struct Bin {
+    Boxf box;
+    std::uint32_t begin, end;
+  } along[3][most];
+
+  template <class ThreadGroup>
+  MASU_HD void clear(const ThreadGroup& group, std::int32_t bins) {
+    for_each(group, bins, [](Bin& bin, std::int32_t, std::int32_t) { bin = {empty_box<float>(), 0, 0}; });
+    group.sync();
+  }
+  template <class ThreadGroup>
+  MASU_HD void put(const ThreadGroup& group, BinSums& to) {
+    for_each(group, most,
+             [&](const Bin& bin, std::int32_t axis, std::int32_t i) { to.along[axis][i] = bin; });
+  }
+  template <class ThreadGroup>
+  MASU_HD void join(const ThreadGroup& group, const BinSums* chunks, std::uint32_t count) {
+    for_each(group, most, [&](Bin& bin, std::int32_t axis, std::int32_t i) {
+      Bin sum = chunks[0].along[axis][i];
+      for (std::uint32_t c = 1; c < count; ++c) {
+        const Bin& other = chunks[c].along[axis][i];
+        sum = {masu::join(sum.box, other.box), sum.begin + other.begin, sum.end + other.end};
+      }
+      bin = sum;
+    });
+  }
+  // act(bin, axis, which along it), of the first so many along each.
+  template <class ThreadGroup, class Act>
+  MASU_HD void for_each(const ThreadGroup& group, std::int32_t bins, const Act& act) {
+    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bins;
+         i += static_cast<std::int32_t>(group.size()))
+      act(along[i / bins][i % bins], i / bins, i % bins);
+  }
+  // Of the first so many bins along each axis, for the first thread.
+  template <class ThreadGroup>
+  MASU_HD BinSplit cheapest(const ThreadGroup& group, std::int32_t bins) const {
+    BinSplit best;
+    const auto own = static_cast<std::int32_t>(group.thread_rank()), // candidates are the first warp's
+        threads = min(static_cast<std::int32_t>(group.size()), lanes_per_warp);
+    for (std::int32_t i = own; own < threads && i < 3 * (bins - 1); i += threads) {
+      const BinSplit candidate{INFINITY, i / (bins - 1), i % (bins - 1)};
+      SplitSide left, right;
+      for (std::int32_t b = 0; b < bins; ++b) {
+        const Bin& bin = along[candidate.axis][b];
+        b <= candidate.bin ? left.add(bin.box, bin.begin) : right.add(bin.box, bin.end);
+      }
+      add_candidate(candidate, left, right, best);
+    }
+    return group.first_of_all(best);
+  }
+};
+
+enum class SplitKind : std::uint32_t { halves, by_centre, by_space };
+
+// How a range is split.
+struct RangeSplit {
+  SplitKind kind = SplitKind::halves;
+  BinSplit at{};
+  FragmentBins along{};
+  bool overlaps = false; // by so much that planes are tried
+
+  MASU_HD bool is_left(const BinaryNode& fragment) const {
+    if (kind == SplitKind::halves) return false;
+    const float centre = twice_the_centre(fragment, at.axis);
+    return kind == SplitKind::by_space ? centre < 2 * along.plane(at.bin) : along(centre) <= at.bin;
+  }
+  // By the plane; then its parts, unless one is empty.
+  template <class Stored>
+  MASU_HD bool divides(const SceneView<Stored>& scene, double margin, const BinaryNode& fragment,
+                       Sides& parts) const {
+    if (kind != SplitKind::by_space || along(fragment.min[at.axis]) > at.bin ||
+        along(fragment.max[at.axis]) <= at.bin)
+      return false;
+    with_primitive(scene, fragment.index, [&](const auto& primitive) {
+      parts = sides_with_margin(primitive, at.axis, along.plane(at.bin), margin);
+    });
+    parts = {common(parts.below, fragment.box()), common(parts.above, fragment.box())};
+    return !is_empty(parts.below) && !is_empty(parts.above);
+  }
+};
+
+// By centres.
+struct SplitObjects {
+  using Sum = BinSums<most_bins>;
+  const BinaryNode* fragments;
+  const FragmentRange* ranges;
+  const Boxf* centres;
+  const BinaryNode* root;
+  RangeSplit* splits;
+  std::uint32_t* overlapping; // ranges: counted
+  std::uint64_t fewest_in_halves;
+
+  MASU_HD bool concerns(std::uint64_t range) const { return ranges[range].count > 1; }
+  template <class ThreadGroup>
+  MASU_HD void sum_up(const ThreadGroup& group, Sum& sum, std::uint64_t range, std::uint32_t first,
+                      std::uint32_t end) const {
+    if (ranges[range].count <= few_leaves) return;
+    sum.clear(group, bins_by_centre(ranges[range].count));
+    const FragmentBins bins[] = {bins_along(range, 0), bins_along(range, 1), bins_along(range, 2)};
+    for (std::uint32_t i = first + group.thread_rank(); i < end; i += group.size()) {
+      const BinaryNode fragment = fragments[i];
+      for (int axis = 0; axis < 3; ++axis) {
+        auto& bin = sum.along[axis][bins[axis](twice_the_centre(fragment, axis))];
+        group.join(bin.box, fragment.box());
+        group.count(bin.begin);
+      }
+    }
+  }
+  template <class ThreadGroup>
+  MASU_HD void finish(const ThreadGroup& group, Sum& sum, std::uint64_t range) const {
+    const auto [first, count, room] = ranges[range];
+    const std::int32_t bin_count = bins_by_centre(count);
+    const bool is_halved = count >= fewest_in_halves, is_few = count <= few_leaves;
+    BinSplit best;
+    if (is_few && !is_halved) best = cheapest_of_few(group, range);
+    if (!is_few && !is_halved) {
+      // Each begins and ends in a bin.
+      sum.for_each(group, bin_count, [](auto& bin, std::int32_t, std::int32_t) { bin.end = bin.begin; });
+      group.sync();
+      best = sum.cheapest(group, bin_count);
+    }
+    if (group.thread_rank() != 0) return;
+    RangeSplit split;
+    if (best.axis >= 0) {
+      split = {SplitKind::by_centre, best, bins_along(range, best.axis), false};
+      Boxf left = empty_box<float>(), right = left;
+      const auto add_to_side = [&](const Boxf& box, std::int32_t bin) {
+        Boxf& side = bin <= best.bin ? left : right;
+        side = join(side, box);
+      };
+      for (std::uint32_t i = first; is_few && i < first + count; ++i)
+        add_to_side(fragments[i].box(), split.along(twice_the_centre(fragments[i], best.axis)));
+      for (std::int32_t i = 0; !is_few && i < bin_count; ++i)
+        add_to_side(sum.along[best.axis][i].box, i);
+      const Boxf overlap = common(left, right);
+      split.overlaps = room > 0 && !is_empty(overlap) &&
+                       half_area(overlap) > overlap_worth_splitting * half_area(root->box());
+      if (split.overlaps) static_cast<void>(added(*overlapping, 1));
+    }
+    splits[range] = split;
+  }
+
+private:
+  MASU_HD FragmentBins bins_along(std::uint64_t range, int axis) const {
+    return {centres[range].min[axis], centres[range].max[axis], bins_by_centre(ranges[range].count)};
+  }
+  // After any of the bins that their centres are in.
+  template <class ThreadGroup>
+  MASU_HD BinSplit cheapest_of_few(const ThreadGroup& group, std::uint64_t range) const {
+    const auto [first, count, room] = ranges[range];
+    BinSplit best;
+    for (std::uint32_t i = group.thread_rank(); i < 3 * count; i += group.size()) {
+      const auto axis = static_cast<std::int32_t>(i % 3);
+      const FragmentBins bins = bins_along(range, axis);
+      const BinSplit candidate{INFINITY, axis, bins(twice_the_centre(fragments[first + i / 3], axis))};
+      SplitSide left, right;
+      for (std::uint32_t k = first; k < first + count; ++k) {
+        const BinaryNode fragment = fragments[k];
+        (bins(twice_the_centre(fragment, axis)) <= candidate.bin ? left : right).add(fragment.box(), 1);
+      }
+      add_candidate(candidate, left, right, best);
+    }
+    return group.first_of_all(best);
+  }
+};
+
+// By planes at which fragments are divided, where that costs less.
+template <class Stored>
+struct SplitSpace {
+  using Sum = BinSums<bins_in_space>;
+  SceneView<Stored> scene;
+  double margin;
+  const BinaryNode* fragments;
+  const BinaryNode* nodes;
+  RangeSplit* splits;
+  const FragmentRange* ranges;
+
+  MASU_HD bool concerns(std::uint64_t range) const {
+    return ranges[range].count > 1 && splits[range].overlaps;
+  }
+  template <class ThreadGroup>
+  MASU_HD void sum_up(const ThreadGroup& group, Sum& sum, std::uint64_t range, std::uint32_t first,
+                      std::uint32_t end) const {
+    sum.clear(group, bins_in_space);
+    const FragmentBins bins[] = {bins_along(range, 0), bins_along(range, 1), bins_along(range, 2)};
+    for (std::uint32_t i = first + group.thread_rank(); i < end; i += group.size()) {
+      const BinaryNode fragment = fragments[i];
+      std::uint32_t crossed = 0; // a bit for each axis
+      for (int axis = 0; axis < 3; ++axis) {
+        const std::int32_t low = bins[axis](fragment.min[axis]), high = bins[axis](fragment.max[axis]);
+        group.count(sum.along[axis][low].begin);
+        group.count(sum.along[axis][high].end);
+        if (low == high)
+          group.join(sum.along[axis][low].box, fragment.box());
+        else
+          crossed |= 1U << axis;
+      }
+      if (crossed == 0) continue;
+      with_primitive(scene, fragment.index, [&](const auto& primitive) {
+        for (int axis = 0; axis < 3; ++axis)
+          if ((crossed >> axis & 1) != 0) cut(group, primitive, fragment.box(), axis, bins[axis], sum);
+      });
+    }
+  }
+  template <class ThreadGroup>
+  MASU_HD void finish(const ThreadGroup& group, const Sum& sum, std::uint64_t range) const {
+    const BinSplit best = sum.cheapest(group, bins_in_space);
+    if (group.thread_rank() == 0 && best.cost < splits[range].at.cost)
+      splits[range] = {SplitKind::by_space, best, bins_along(range, best.axis), true};
+  }
+
+private:
+  MASU_HD FragmentBins bins_along(std::uint64_t range, int axis) const {
+    return {nodes[range].min[axis], nodes[range].max[axis], bins_in_space};
+  }
+  // Adds to each bin what lies in it.
+  template <class ThreadGroup, class Primitive>
+  MASU_HD void cut(const ThreadGroup& group, const Primitive& primitive, Boxf rest, int axis,
+                   const FragmentBins& bins, Sum& sum) const {
+    const std::int32_t last = bins(rest.max[axis]);
+    for (std::int32_t bin = bins(rest.min[axis]); bin < last; ++bin) {
+      const Sides sides = sides_with_margin(primitive, axis, bins.plane(bin), margin);
+      const Boxf below = common(sides.below, rest);
+      if (!is_empty(below)) group.join(sum.along[axis][bin].box, below);
+      rest = common(sides.above, rest);
+    }
+    if (!is_empty(rest)) group.join(sum.along[axis][last].box, rest);
+  }
+};
+
+// The splits by centres of a level's ranges, and how many are tried by planes; writes their nodes' boxes.
+template <class Executor>
+std::uint32_t split_objects(Executor& executor, FragmentLevel<Executor>& level, const RangeSums& all,
+                            const FragmentOrder<Executor>& order, const BinaryNode* root, int depth,
+                            ArrayOf<Executor, RangeSplit>& splits) {
+  auto centres = executor.template array<Boxf>(level.ranges.size());
+  auto overlapping = executor.template zeros<std::uint32_t>(1);
+  const BinaryNode* const fragments = order.fragments.data();
+  const FragmentRange* const ranges = level.ranges.data();
+  over_ranges(executor, level, all.chunks,
+              FindExtents{fragments, ranges, level.nodes.data(), centres.data()});
+  over_ranges(executor, level, all.chunks,
+              SplitObjects{fragments, ranges, centres.data(), root, splits.data(), overlapping.data(),
+                           fewest_halved(depth)});
+  return executor.value(overlapping, 0);
+}
+
+} // namespace masu
