@@ -12,7 +12,7 @@ import sys
 STYLE = """@page { size: A4; margin: 18mm } body { font: 11pt/1.45 Georgia, serif; max-width: 46em; margin: 2em auto; padding: 0 1em }
 h1, h2 { font-family: sans-serif; break-after: avoid } pre { font-size: 8.5pt; background: #f3f3f1; padding: .6em; white-space: pre-wrap }
 table { border-collapse: collapse; font-size: 9.5pt; margin: 1em 0; break-inside: avoid } th, td { padding: .15em .6em; border-bottom: 1px solid #ccc; text-align: right }
-th:first-child, td:first-child { text-align: left } img { max-width: 100%; break-inside: avoid } a { color: inherit } @media print { a { text-decoration: none } }"""
+th:first-child, td:first-child, table:has(img) th { text-align: left } img { max-width: 100%; break-inside: avoid } a { color: inherit } @media print { a { text-decoration: none } }"""
 
 
 def inline(text, folder):

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import threading
 import unittest
+import unittest.mock
 import warnings
 
 import numpy as np
@@ -505,11 +506,11 @@ class Scenes(WithFolder):
         self.assert_refused(masu.Status.USAGE, "spheres", masu.Scene, spheres=[[0, 0, 0, 0.0]])
 
     def test_files_are_those_of_the_tools_and_none_is_written_unasked(self):
-        vertices, faces = self.scene()
-        before = os.listdir(self.folder), os.listdir(tempfile.gettempdir())
-        rays = random_rays(self.random, 200)
-        expected = self.tracer().nearest(rays, fields=masu.FIELDS)
-        self.assertEqual((os.listdir(self.folder), os.listdir(tempfile.gettempdir())), before)
+        with unittest.mock.patch.dict(os.environ, TMPDIR=self.folder):  # where a temporary file would be written
+            vertices, faces = self.scene()
+            rays = random_rays(self.random, 200)
+            expected = self.tracer().nearest(rays, fields=masu.FIELDS)
+        self.assertEqual(os.listdir(self.folder), [])
         self.made.write(self.file("a.scene"))
         self.grid.write(self.file("a.grid"))
         self.assertEqual(self.made.describe().bytes, os.path.getsize(self.file("a.scene")))

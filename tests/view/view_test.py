@@ -1545,7 +1545,12 @@ class Page(unittest.TestCase):
                     numbers = [text for row in self.listed() for text in row[2:4]]
                     self.assertGreater(len(numbers), 1)
                     self.assertEqual([text for text in numbers if text.startswith("-")], [])
-            self.assertEqual(self.js("return [Text.place(-6.1e-5, 3), Text.place(-0.5, 3)]"), ["0", "-0.500"])
+            self.leave()
+        (tools.folder / "corner.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        with Gridview(tools, "corner.obj", "-q") as server:  # its space begins a margin before 0
+            for share, text in [(0, "x = 0 of 0 to 1.00"), (0.5, "x = 0.500 of 0 to 1.00")]:
+                self.show_plane(server, fragment=f"#view=plane&slice=x,{share}")
+                self.assertEqual(self.js("return slicePanel.position.textContent"), text)
             self.leave()
 
     def test_four_structures_have_four_colors(self):

@@ -195,7 +195,7 @@ if (curves ne '') { do for [kind in 'svg png'] {
   set tmargin at screen 0.89
   unset key
   set label sprintf('Time per picture by division, %s (lower is better)', backend) at screen 0.02, screen 0.963 font ',20'
-  set label sprintf('uniform grids, exact overlap, %s; pictures of %s with shadows and mirrors; ringed: --division auto', \
+  set label sprintf('uniform grids, exact overlap, %s; pictures of %s with shadows and mirrors; ringed: --division auto, its voxels cubes', \
     precision_of(pt[1]), picture_size) at screen 0.02, screen 0.921
   set label 'ms per picture' at screen 0.018, graph 0.5 center rotate by 90
   set xlabel 'voxels per axis'

@@ -8,7 +8,7 @@ accuracy_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of accuracy.
 """
 import csv
 
-from measured import STANDARD, figure, head, made_by, run_script, table
+from measured import STANDARD, head, made_by, run_script, table
 
 FAILURES = {"missed": "missed", "false": "false", "wrong": "wrong", "misplaced": "misplaced",
             "by_grid": "by grid"}
@@ -174,11 +174,9 @@ def tables(results):
 
     structures = {("irregular", "exact"): "irregular grid", ("bvh", "exact"): "hierarchy"}
 
-    def structure_rows(file):
-        return [row for row in results["tradeoff"][file] if (row["merge"], row["overlap"]) in structures]
-
     def tradeoff():
-        rows = [row for row in structure_rows("charts.csv") if row["scene"] == "all"]
+        rows = [row for row in results["tradeoff"]["charts.csv"]
+                if row["scene"] == "all" and (row["merge"], row["overlap"]) in structures]
         cell = lambda row, column: number(float(row[column]))
         lines = [[structures[row["merge"], row["overlap"]], f"`{row['precision']}`", row["stop_rule"],
                   cell(row, "mrays"), cell(row, "picture_ms"),
@@ -193,29 +191,13 @@ def tables(results):
                 + table(["structure", "precision", "stop rule", "Mray/s", "ms per picture", "missed", "false hits",
                          "wrong primitives", "worst error of t", "picture RMSE", "largest"], lines))
 
-    def cost():
-        """Least and most of the scenes, with the scenes' names."""
-        rows = {(row["scene"], row["merge"], row["precision"]): row for row in structure_rows("tradeoff.csv")
-                if row["stop_rule"] == "proven"}
-
-        def span_of(merge, column, is_rate):
-            def ratio(s):
-                double, robust = (float(rows[s, merge, precision][column]) for precision in ("double", "robust"))
-                return robust / double if is_rate else double / robust
-            ratios = sorted((ratio(s), s) for s in STANDARD)
-            return "{:.2f} ({}) to {:.2f} ({})".format(*ratios[0], *ratios[-1])
-        kinds = ("primary_mrays", True), ("random_mrays", True), ("picture_ms", False)
-        return table(["", "primary rays", "random rays", "pictures"],
-                     [[structures[merge, "exact"], *(figure(lambda: span_of(merge, *kind), "{}") for kind in kinds)]
-                      for merge, _ in structures])
-
     def gpu():
         rows = [row for row in output("stability", "cuda") if "backends" in row]
         count = lambda mode, what: sum(row[what] for row in rows if row["mode"] == mode)
         return " ".join(f"`{mode}`: {count(mode, 'rays'):,} rays by each of three loops, {count(mode, 'differing')} of "
                         "which differ from the CPU's hits in a bit." for mode in ("robust", "double"))
 
-    makers = (tradeoff, cost, sweeps, first_cell, embree, pictures, oracle, gpu)
+    makers = (tradeoff, sweeps, first_cell, embree, pictures, oracle, gpu)
     return {"head": head(results), **made_by(makers, {} if machine["backend"] == "cuda" else {gpu})}
 
 

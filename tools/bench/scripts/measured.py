@@ -67,7 +67,8 @@ def figure(make, form=None):
 
 
 def table(head, rows):
-    return "\n".join(f"| {' | '.join(row)} |" for row in [head, ["---"] * len(head), *rows])
+    titles, *lines = (f"| {' | '.join(row)} |" for row in [head, *rows])
+    return "\n".join([titles, f"|{'---|' * len(head)}", *lines])
 
 
 def head(results):

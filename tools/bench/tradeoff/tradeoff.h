@@ -18,7 +18,7 @@ struct TradeoffSetup {
   std::uint64_t compared = 0; // rays of each of the two sets that are compared with brute force (upper limit)
   std::string picture;        // its size, WxH
   std::uint64_t seed = 0;     // of the random rays
-  std::uint64_t repeat = 0;   // timed runs; their median counts
+  std::uint64_t repeat = 0;   // timed runs; their median counts, on a CPU of processor time
   friend bool operator==(const TradeoffSetup&, const TradeoffSetup&) = default;
 };
 

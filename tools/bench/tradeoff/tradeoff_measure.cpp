@@ -8,31 +8,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 namespace masu {
 namespace {
 
 // A run that takes this long is measured once: noise is small in comparison.
-constexpr double long_seconds = 0.5;
+constexpr double long_seconds = 0.1;
 
-// The result of trace(), called once to warm up and then, unless that took long, `repeat` times.
+// The result of trace(), called once to warm up and then, unless that took long, `repeat` times. On a CPU its
+// seconds are processor time over the number of threads, which other programs hardly change.
 template <class Trace>
-auto traced(std::uint64_t repeat, const Trace& trace) {
-  auto once = trace();
+auto traced(const TradeoffSetup& setup, std::uint64_t repeat, const Trace& trace) {
+  const auto timed = [&] {
+    const std::clock_t start = std::clock();
+    auto result = trace();
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    if (setup.threads > 0) result.seconds.trace = seconds / static_cast<double>(setup.threads);
+    return result;
+  };
+  auto once = timed();
   if (repeat <= 1 || once.seconds.trace >= long_seconds) return once;
-  return repeated(0, static_cast<int>(repeat), trace);
+  return repeated(0, static_cast<int>(repeat), timed);
 }
 
 ResidentTracer tracer_of(const TradeoffTask& task, const StructureFile* grid) {
   return {task.scene, grid, task.setup.backend == "cuda" ? Device::cuda : Device::cpu};
 }
 
-RayHits trace(const ResidentTracer& tracer, const TracingRules& rules, const std::vector<Ray<double>>& rays,
-              RayLoop loop, std::uint64_t repeat) {
+RayHits trace(const TradeoffTask& task, const ResidentTracer& tracer, const TracingRules& rules,
+              const std::vector<Ray<double>>& rays, RayLoop loop, std::uint64_t repeat) {
   const RaysRequest request{rules, Query::nearest_hit, loop};
   RayHits found = tracer.hits(rays, request, HitName::primitive);
   const ResidentRays resident = tracer.upload(rays, rules.precision);
-  found.report = traced(repeat, [&] { return tracer.trace(resident, request); });
+  found.report = traced(task.setup, repeat, [&] { return tracer.trace(resident, request); });
   return found;
 }
 
@@ -42,7 +51,7 @@ Frame render(const TradeoffTask& task, const ResidentTracer& tracer, const Traci
   request.tracing = rules;
   request.camera = task.picture;
   request.sampling = Sampling::centers;
-  return traced(repeat, [&] { return tracer.render(request); });
+  return traced(task.setup, repeat, [&] { return tracer.render(request); });
 }
 
 // Appends `wanted` elements of `all`, evenly spaced, or all of them, to `some`.
@@ -121,7 +130,7 @@ const TradeoffTask::Reference& TradeoffTask::reference() {
   add_some(random, setup.compared, found.rays);
   const TracingRules rules{Precision::doubled};
   const ResidentTracer tracer = tracer_of(*this, nullptr);
-  found.hits = trace(tracer, rules, found.rays, RayLoop::thread_per_ray, 1).hits;
+  found.hits = trace(*this, tracer, rules, found.rays, RayLoop::thread_per_ray, 1).hits;
   found.radiance = render(*this, tracer, rules, 1).radiance;
   reference_ = std::move(found);
   return *reference_;
@@ -136,8 +145,8 @@ Measurement measure(TradeoffTask& task, const StructureFile& grid, const Configu
   const auto loop = [&](const std::vector<Ray<double>>& rays) {
     return automatic_loop(tracer, rays, Query::nearest_hit, configuration.precision);
   };
-  const RayHits primary = trace(tracer, rules, task.primary, loop(task.primary), repeat);
-  const RayHits random = trace(tracer, rules, task.random, loop(task.random), repeat);
+  const RayHits primary = trace(task, tracer, rules, task.primary, loop(task.primary), repeat);
+  const RayHits random = trace(task, tracer, rules, task.random, loop(task.random), repeat);
   const Frame frame = render(task, tracer, rules, repeat);
 
   Measurement measured;

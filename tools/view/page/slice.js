@@ -125,7 +125,8 @@ class SlicePanel {
     const [shown] = inOrder('slices');
     if (!shown) return;
     const {axis, position, range} = this.of(shown[0]);
-    this.position.textContent = `${'xyz'[axis]} = ${Text.place(position, range[1] - range[0])} of ${Text.number(range[0])} to ${Text.number(range[1])}`;
+    const [at, low, high] = [position, ...range].map((value) => Text.place(value, range[1] - range[0]));
+    this.position.textContent = `${'xyz'[axis]} = ${at} of ${low} to ${high}`;
   }
 }
 
