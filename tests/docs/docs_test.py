@@ -25,7 +25,6 @@ NOT_RUN = {
     r"tools/bench/scripts/(performance|accuracy)(\.sh|_tables\.py)": "take minutes to hours on a quiet machine",
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
-    r"^MASU_TEST_EFFORT=.*ctest|^ctest .*-L stability": "tests that run beside this one",
     r"^tools/bench/scripts/(charts|pictures)\.": "draw what is in docs/: run by Docs.pictures",
     r"^ssh ": "needs another machine",
     r"^srun ": "needs Slurm",

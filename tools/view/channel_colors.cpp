@@ -20,30 +20,13 @@ bool counts(Channel channel) {
   return channel == Channel::cells || channel == Channel::tests;
 }
 
-// Of the categories that come first; others share them.
-class NameColors {
-public:
-  NameColors() {
-    for (std::size_t i = 0; i < colors_.size(); ++i)
-      colors_[i] = category_color(i);
-  }
-  const Rgb& operator()(std::int32_t name) const {
-    return name < 0 ? missed : colors_[static_cast<std::size_t>(name) % colors_.size()];
-  }
-
-private:
-  std::array<Rgb, 1021> colors_{};
-};
-
 template <class ColorOf>
 std::vector<std::uint8_t> colored(std::size_t pixels, const ColorOf& color_of) {
   std::vector<std::uint8_t> bytes(3 * pixels);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 4096), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Rgb color = color_of(i);
-      bytes[3 * i] = color[0];
-      bytes[3 * i + 1] = color[1];
-      bytes[3 * i + 2] = color[2];
+      std::ranges::copy(color, &bytes[3 * i]);
     }
   });
   return bytes;
@@ -108,7 +91,12 @@ std::vector<std::uint8_t> channel_bytes(const Channels& channels, Channel channe
     });
   }
   const HostArray<std::int32_t>& of = channel == Channel::object ? channels.object : channels.primitive;
-  return colored(pixels, [&, names = NameColors()](std::size_t i) { return names(of[i]); });
+  std::array<Rgb, 1021> colors{}; // of the categories that come first; others share them
+  for (std::size_t i = 0; i < colors.size(); ++i)
+    colors[i] = category_color(i);
+  return colored(pixels, [&](std::size_t i) {
+    return of[i] < 0 ? missed : colors[static_cast<std::size_t>(of[i]) % colors.size()];
+  });
 }
 
 } // namespace masu

@@ -65,8 +65,7 @@ class Scales {
   colored(channel, values, width, height) {
     const {low, high, isLogarithmic} = this.of(channel), {bytes} = this, last = bytes.length - 1;
     const scale = isLogarithmic ? last / Math.log1p(high) : last / (high - low);
-    const canvas = document.createElement('canvas');
-    Object.assign(canvas, {width, height});
+    const canvas = newCanvas(width, height);
     const context = canvas.getContext('2d'), image = context.createImageData(width, height);
     const pixels = new Uint32Array(image.data.buffer);
     for (let i = 0; i < pixels.length; ++i) {

@@ -35,9 +35,7 @@ class Exported {
   async picture(view) {
     const all = this.data.views[this.index(view.camera)].channels[view.channel];
     const {timing, jpeg = all[0].jpeg, values = all[0].values} = all[view.grid];
-    const {precision, rays, ...milliseconds} = readTiming(timing);
-    const blob = blobOf(jpeg ?? values);
-    return {image: jpeg ? await createImageBitmap(blob) : null, values: jpeg ? null : new Float32Array(await inflated(blob)), precision, rays, milliseconds: {...milliseconds, total: NaN}};
+    return pictureOf(blobOf(jpeg ?? values), jpeg !== undefined, timing, () => NaN);
   }
 
   async counts(view) { return this.data.views[this.index(view.camera)].counts[view.grid]; }
@@ -110,7 +108,7 @@ class Exported {
     return {from: start, to: end};
   }
   // From point to point.
-  planeStep(slice) { return Math.max(...slice.axes.map((axis, k) => slice.voxels[k] * slice.step[k])) / this.data.points_per_side * 0.75; }
+  planeStep(slice) { return Math.max(...sliceSides(slice)) / this.data.points_per_side * 0.75; }
 
   async statistics(grid) { return this.data.statistics[grid]; }
   async boxes(grid, depth) { return this.data.boxes[grid][depth === null ? 0 : depth + 1]; }

@@ -2,6 +2,7 @@
 'use strict';
 
 const CLICK_REACH = 4; // pixels that a pointer may move between down and up
+const ZOOMS = {'+': 1, '=': 1, '-': -1, _: -1}; // nearer, or farther away
 const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
 // Places are [x, y] in pixels from the element's top left. down(place, event), hover(place, event, is down), drag(from, to,

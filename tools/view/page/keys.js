@@ -13,8 +13,7 @@ function keyOfPicture(pane, event) {
                              : Camera.orbited(state.camera, x * orbit, y * orbit));
     return true;
   }
-  if (event.key === '+' || event.key === '=') setCamera(Camera.zoomed(state.camera, 1 / KEY_ZOOM));
-  else if (event.key === '-' || event.key === '_') setCamera(Camera.zoomed(state.camera, KEY_ZOOM));
+  if (event.key in ZOOMS) setCamera(Camera.zoomed(state.camera, KEY_ZOOM ** -ZOOMS[event.key]));
   else if (event.key in NEXT) announce(NEXT[event.key](pane));
   else if (event.key === 'Enter') setPicking({pane: pane.index, x: 0.5, y: 0.5});
   else if (event.key === 'Escape' && walkPanel.ray) walkPanel.clear();

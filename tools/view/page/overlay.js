@@ -1,6 +1,14 @@
 // Cells over the picture: lines of the scene, projected with the picture's own camera.
 'use strict';
 
+const newCanvas = (width, height) => Object.assign(document.createElement('canvas'), {width, height});
+
+// Adds lines through points [x, y] to a path.
+function addLines(path, points) {
+  points.forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+  return path;
+}
+
 class Overlay {
   constructor(canvas) {
     this.canvas = canvas;
@@ -9,10 +17,7 @@ class Overlay {
 
   // camera, width and height: of the picture that is shown.
   begin(camera, width, height) {
-    if (this.canvas.width !== width || this.canvas.height !== height) {
-      this.canvas.width = width;
-      this.canvas.height = height;
-    }
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, {width, height});
     this.context.clearRect(0, 0, width, height);
     this.camera = camera;
     this.axes = Camera.axes(camera);
@@ -21,17 +26,15 @@ class Overlay {
     this.unit = Math.max(1, width / Math.max(1, this.canvas.clientWidth)); // pixels of the canvas for one of the page
   }
 
+  // How far a point lies beyond the nearest plane that is drawn; where a segment meets that plane, by these of its ends.
+  depth(point) { return Vec.dot(Vec.sub(point, this.camera.from), this.axes.forward) - this.near; }
+  static meeting(a, b, da, db) { return Vec.add(a, Vec.scaled(Vec.sub(b, a), da / (da - db))); }
+
   // The part of a segment in front of the camera.
   segment(path, a, b) {
-    const depth = (point) => Vec.dot(Vec.sub(point, this.camera.from), this.axes.forward);
-    const da = depth(a), db = depth(b);
-    if (da < this.near && db < this.near) return;
-    const at = (t) => Vec.add(a, Vec.scaled(Vec.sub(b, a), t));
-    const from = da < this.near ? at((this.near - da) / (db - da)) : a;
-    const to = db < this.near ? at((this.near - da) / (db - da)) : b;
-    const [x0, y0] = this.project(from), [x1, y1] = this.project(to);
-    path.moveTo(x0, y0);
-    path.lineTo(x1, y1);
+    const da = this.depth(a), db = this.depth(b);
+    if (da < 0 && db < 0) return;
+    addLines(path, [da < 0 ? Overlay.meeting(a, b, da, db) : a, db < 0 ? Overlay.meeting(a, b, da, db) : b].map(this.project));
   }
 
   stroke(path, color, width, alpha = 1) {
@@ -60,14 +63,13 @@ class Overlay {
 
   // polygons: their corners.
   fill(polygons, color, alpha) {
-    const path = new Path2D(), depth = (point) => Vec.dot(Vec.sub(point, this.camera.from), this.axes.forward) - this.near;
+    const path = new Path2D();
     for (const corners of polygons) {
       const seen = corners.flatMap((a, i) => { // in front of the camera
-        const b = corners[(i + 1) % corners.length], da = depth(a), db = depth(b);
-        return [...(da >= 0 ? [a] : []), ...(da * db < 0 ? [Vec.add(a, Vec.scaled(Vec.sub(b, a), da / (da - db)))] : [])];
+        const b = corners[(i + 1) % corners.length], da = this.depth(a), db = this.depth(b);
+        return [...(da >= 0 ? [a] : []), ...(da * db < 0 ? [Overlay.meeting(a, b, da, db)] : [])];
       });
-      seen.map(this.project).forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
-      if (seen.length > 0) path.closePath();
+      if (seen.length > 0) addLines(path, seen.map(this.project)).closePath();
     }
     this.context.globalAlpha = alpha;
     this.context.fillStyle = color;
@@ -93,15 +95,11 @@ class Overlay {
 
   // x, y: shares of the picture.
   crossHair(x, y, color) {
-    const {context, canvas} = this;
+    const {canvas} = this;
     const px = x * canvas.width, py = y * canvas.height, gap = 5 * this.unit, arm = 16 * this.unit;
     const path = new Path2D();
-    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-      path.moveTo(px + dx * gap, py + dy * gap);
-      path.lineTo(px + dx * arm, py + dy * arm);
-    }
+    for (const [dx, dy] of Object.values(ARROWS)) addLines(path, [gap, arm].map((away) => [px + dx * away, py + dy * away]));
     this.stroke(path, '#000', 3, 0.6);
     this.stroke(path, color, 1.5);
-    context.globalAlpha = 1;
   }
 }

@@ -9,25 +9,12 @@ const panes = [];        // what is on the page for each of state.panes
 class Pane {
   constructor(index) {
     this.index = index;
-    const root = $('picture-template').content.firstElementChild.cloneNode(true);
-    this.root = root;
-    this.stage = root.querySelector('.stage');
-    this.image = root.querySelector('.image');
-    this.overlay = new Overlay(root.querySelector('.overlay'));
-    this.scale = root.querySelector('.scale');
-    this.walkCounts = root.querySelector('.walk-counts');
-    this.status = root.querySelector('.status');
-    this.problem = root.querySelector('.problem');
-    this.gridSelect = root.querySelector('.grid');
-    this.channelSelect = root.querySelector('.channel');
-    this.cellsSelect = root.querySelector('.cells');
-    this.frame = null;
-    this.counts = null;
+    const root = $('picture-template').content.firstElementChild.cloneNode(true), part = (name) => root.querySelector(`.${name}`);
+    Object.assign(this, {root, stage: part('stage'), overlay: new Overlay(part('overlay')), scale: part('scale'), walkCounts: part('walk-counts'),
+      status: part('status'), problem: part('problem'), gridSelect: part('grid'), channelSelect: part('channel'), cellsSelect: part('cells'),
+      value: part('under-pointer'), scaleKind: part('scale-kind'), scaleSelect: part('scale-kind select'), frame: null, counts: null});
     this.span = null; // {channel, values: of spanOf()} of the picture that is shown
-    this.value = root.querySelector('.under-pointer');
-    this.scaleKind = root.querySelector('.scale-kind');
-    this.scaleSelect = this.scaleKind.querySelector('select');
-    this.picture = new Picture(this.image, source, (...numbers) => scales.colored(...numbers), (frame) => this.drawn(frame), (text) => this.failed(text));
+    this.picture = new Picture(part('image'), source, (...numbers) => scales.colored(...numbers), (frame) => this.drawn(frame), (text) => this.failed(text));
     this.division = new DivisionSlider(this.gridSelect, state.scene, state.scene.pictured, (grid) => this.set({grid}));
     this.status.before(this.division.root);
     for (const channel of state.scene.channels) this.channelSelect.append(element('option', {value: channel}, channel));

@@ -10,22 +10,11 @@ class Picture {
   // canvas: what is drawn on; colored(channel, values, width, height) makes an image of numbers; drawn(shown) is called
   // after each change with {view, isMoving, isSharp, share, milliseconds, rays}; failed(text), or '' when all is well again.
   constructor(canvas, source, colored, drawn, failed) {
-    this.canvas = canvas;
-    this.colored = colored;
+    Object.assign(this, {canvas, source, colored, drawn, failed, context: canvas.getContext('2d', {alpha: false}), view: null, movedAt: 0,
+      isRunning: false, isClosed: false, abort: null, wake: () => {}});
     this.values = null; // {channel, width, height, data} of the whole picture, where it is one of numbers
-    this.context = canvas.getContext('2d', {alpha: false});
-    this.source = source;
-    this.drawn = drawn;
-    this.failed = failed;
-    this.view = null;
-    this.version = 0;         // of the view
-    this.movedAt = 0;
-    this.msPerPixel = 2e-4;   // of moving pictures, a running mean
-    this.stillMsPerPixel = 4e-4;
-    this.isRunning = false;
-    this.isClosed = false;
-    this.abort = null;
-    this.wake = () => {};
+    this.version = 0;   // of the view
+    Object.assign(this, {msPerPixel: 2e-4, stillMsPerPixel: 4e-4}); // of moving pictures, a running mean; of the last sharp one
   }
 
   // view: {grid, channel, camera, width, height, depth}. False where it is shown already, or on its way.
@@ -93,19 +82,12 @@ class Picture {
     this.context.drawImage(this.colored(channel, data, width, height), 0, 0, this.canvas.width, this.canvas.height);
   }
 
-  fit(view) {
-    if (this.canvas.width === view.width && this.canvas.height === view.height) return;
-    const old = this.canvas.width > 1 ? this.copy() : null;
-    this.canvas.width = view.width;
-    this.canvas.height = view.height;
-    if (old) this.context.drawImage(old, 0, 0, view.width, view.height);
-  }
-  copy() {
-    const canvas = document.createElement('canvas');
-    canvas.width = this.canvas.width;
-    canvas.height = this.canvas.height;
-    canvas.getContext('2d').drawImage(this.canvas, 0, 0);
-    return canvas;
+  fit({width, height}) {
+    const {canvas, context} = this, old = newCanvas(canvas.width, canvas.height);
+    if (old.width === width && old.height === height) return;
+    old.getContext('2d').drawImage(canvas, 0, 0);
+    Object.assign(canvas, {width, height});
+    context.drawImage(old, 0, 0, width, height);
   }
 
   async drawMoving(view) {

@@ -19,6 +19,12 @@ function kin(cells, [, , , , , , inner, number]) {
   return {around: around(nodeOf(number)), within: inner > 0 ? cells.filter((one) => nodeOf(one[7]) === inner) : []};
 }
 
+// {u, v, scale}: a window's middle, and how much larger it is; zoom: also the axis of its slices; of others, and null: all of a slice.
+const zoomOf = (slice, zoom) => {
+  const [u, v] = sliceSides(slice).map((side, k) => slice.min[k] + side / 2);
+  return zoom?.axis === slice.axis ? zoom : {u, v, scale: 1};
+};
+
 // One slice. Draws cells or boxes once for each window, and the ray over them.
 class SlicePlot {
   constructor(index, scene, colors, choose) {
@@ -41,11 +47,10 @@ class SlicePlot {
       element('div', {class: 'plot'}, this.canvas, this.counts, this.sentence));
   }
 
-  // Pixels of the canvas from scene units and back. zoom: {u, v, scale, axis}: its middle, how much larger, and of which slices; others, and null: all.
+  // Pixels of the canvas from scene units and back.
   window(slice, zoom) {
     const {canvas} = this;
-    const [w, h] = [slice.voxels[0] * slice.step[0], slice.voxels[1] * slice.step[1]];
-    const {u, v, scale: larger} = zoom?.axis === slice.axis ? zoom : {u: slice.min[0] + w / 2, v: slice.min[1] + h / 2, scale: 1};
+    const [w, h] = sliceSides(slice), {u, v, scale: larger} = zoomOf(slice, zoom);
     const high = Math.max(canvas.height / 3, canvas.height - 60 * this.pixel); // between what is said above and below
     const scale = larger * Math.min((canvas.width - 24) / w, high / h);
     return {scale, x: (at) => canvas.width / 2 + (at - u) * scale, y: (at) => canvas.height / 2 - (at - v) * scale,
@@ -85,10 +90,7 @@ class SlicePlot {
     context.lineWidth = 0.7 * this.pixel;
     context.stroke(lines);
     const outline = new Path2D();
-    for (const [u0, v0, u1, v1] of slice.outline) {
-      outline.moveTo(at.x(u0), at.y(v0));
-      outline.lineTo(at.x(u1), at.y(v1));
-    }
+    for (const [u0, v0, u1, v1] of slice.outline) addLines(outline, [[at.x(u0), at.y(v0)], [at.x(u1), at.y(v1)]]);
     context.strokeStyle = OUTLINE;
     context.lineWidth = 1.4 * this.pixel;
     context.stroke(outline);
@@ -110,12 +112,7 @@ class SlicePlot {
       context.stroke(path);
       context.setLineDash([]);
     };
-    const segment = (a, b) => {
-      const path = new Path2D();
-      path.moveTo(at.x(a[0]), at.y(a[1]));
-      path.lineTo(at.x(b[0]), at.y(b[1]));
-      return path;
-    };
+    const segment = (...points) => addLines(new Path2D(), points.map(([u, v]) => [at.x(u), at.y(v)]));
     if (ray) {
       const visited = ray.steps.slice(0, step + 1).map(({box}) => box);
       context.fillStyle = 'rgba(40, 130, 255, 0.16)';
@@ -197,12 +194,7 @@ class SlicePlot {
 
   arrow(context, at, {from, to}) {
     const [x, y] = [at.x(to[0]), at.y(to[1])], angle = Math.atan2(y - at.y(from[1]), x - at.x(from[0]));
-    const path = new Path2D();
-    [0, 2.5, -2.5].forEach((turn, k) => {
-      const point = [x + 11 * this.pixel * Math.cos(angle + turn), y + 11 * this.pixel * Math.sin(angle + turn)];
-      if (k === 0) path.moveTo(...point);
-      else path.lineTo(...point);
-    });
+    const path = addLines(new Path2D(), [0, 2.5, -2.5].map((turn) => [x + 11 * this.pixel * Math.cos(angle + turn), y + 11 * this.pixel * Math.sin(angle + turn)]));
     path.closePath();
     this.mark(context, path, '#1d1d1b');
   }
@@ -266,7 +258,7 @@ class PlaneView {
       this.ends = {from: [ray.origin[i], ray.origin[j]], to: [ray.origin[i] + ray.direction[i], ray.origin[j] + ray.direction[j]]};
     } else if (this.axis !== slice.axis || !this.ends) {
       // From the left through the middle of the geometry, in shares of the slice.
-      const sides = [0, 1].map((k) => slice.voxels[k] * slice.step[k]), from = [0.0213, 0.7519]; // on no voxel's face
+      const sides = sliceSides(slice), from = [0.0213, 0.7519]; // on no voxel's face
       const [u, v] = sides.map((side, k) => {
         const all = slice.outline.map((line) => (line[k] - slice.min[k]) / side).sort((a, b) => a - b);
         return Math.max(0.1, all[all.length >> 1] ?? 0.5);
@@ -358,8 +350,7 @@ class PlaneView {
 
   zoomed(plot, factor, u, v) {
     const {slice} = this;
-    const old = this.zoom?.axis === slice.axis ? this.zoom : {u: slice.min[0] + slice.voxels[0] * slice.step[0] / 2, v: slice.min[1] + slice.voxels[1] * slice.step[1] / 2, scale: 1};
-    const scale = Math.max(1, Math.min(1e4, old.scale * factor)), share = old.scale / scale;
+    const old = zoomOf(slice, this.zoom), scale = Math.max(1, Math.min(1e4, old.scale * factor)), share = old.scale / scale;
     this.setZoom(scale === 1 ? null : {u: u + (old.u - u) * share, v: v + (old.v - v) * share, scale, axis: slice.axis});
   }
   setZoom(zoom) {
@@ -417,8 +408,7 @@ class PlaneView {
       if (event.key in ARROWS) {
         const by = ARROWS[event.key].map((part) => part * this.source.planeStep(this.slice, 0.01 * Math.min(canvas.width, canvas.height) / at.scale));
         this.move(event.shiftKey ? 'from' : 'to', by, null);
-      } else if (event.key === '+' || event.key === '=') this.zoomed(plot, 1.25, u, v);
-      else if (event.key === '-' || event.key === '_') this.zoomed(plot, 0.8, u, v);
+      } else if (event.key in ZOOMS) this.zoomed(plot, 1.25 ** ZOOMS[event.key], u, v);
       else if (event.key === '0') this.zoomed(plot, 0, u, v);
       else if (event.key === 'Enter' && this.walkPanel.isAsking) this.walkPanel.focusGuess();
       else return;
@@ -439,9 +429,9 @@ class PlaneView {
     const cell = this.slicePanel.cellsOf(this.grids[plot.index]).findLast(([u0, v0, u1, v1]) => cu >= u0 && cu < u1 && cv >= v0 && cv < v1); // of boxes the innermost
     const [i, j] = slice.axes.map((axis) => 'xyz'[axis]);
     const holds = () => cell[6] > 0 && plot.isHierarchy ? `around ${counted(kin(slice.cells, cell).within.length, 'box').replace(/xs$/, 'xes')} here` : counted(cell[4], 'reference');
-    const place = (at, k) => Text.place(at, slice.voxels[k] * slice.step[k]);
+    const [atU, atV] = sliceSides(slice).map((side, k) => Text.place([u, v][k], side));
     const what = !cell ? 'nothing' : plot.isHierarchy ? `box ${cell[7]}, depth ${cell[5]}` : `voxels ${cell[0]}–${cell[2] - 1}, ${cell[1]}–${cell[3] - 1}`;
-    plot.facts.textContent = plot.under = `${i} ${place(u, 0)}, ${j} ${place(v, 1)}: ${what}${cell ? `, ${holds()}` : ''}`;
+    plot.facts.textContent = plot.under = `${i} ${atU}, ${j} ${atV}: ${what}${cell ? `, ${holds()}` : ''}`;
     if (plot.hovered === (cell ?? null)) return;
     plot.hovered = cell ?? null;
     if (plot.isHierarchy) this.draw();

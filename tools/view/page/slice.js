@@ -11,6 +11,7 @@ function slicePoint(slice, u, v) {
 }
 // A cell's or box's rectangle, as a box without thickness.
 const sliceBox = (slice, [u0, v0, u1, v1]) => ({min: slicePoint(slice, sliceU(slice, u0), sliceV(slice, v0)), max: slicePoint(slice, sliceU(slice, u1), sliceV(slice, v1))});
+const sliceSides = ({voxels, step}) => [voxels[0] * step[0], voxels[1] * step[1]];
 const sliceU = (slice, voxel) => slice.min[0] + voxel * slice.step[0];
 const sliceV = (slice, voxel) => slice.min[1] + voxel * slice.step[1];
 

@@ -12,6 +12,14 @@ function readTiming(header) {
 // What the server or an export compressed. Of a picture's numbers: float32, rows from the top.
 const inflated = (blob) => new Response(blob.stream().pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer();
 
+// {image, values, precision, milliseconds: {wait, trace, …, total}, rays}: values of channels that are numbers, an image of
+// others; precision: robust, or another one and why; total(milliseconds): of a picture that can be shown.
+async function pictureOf(blob, isImage, timing, total) {
+  const image = isImage ? await createImageBitmap(blob) : null, values = isImage ? null : new Float32Array(await inflated(blob));
+  const {precision, rays, ...milliseconds} = readTiming(timing);
+  return {image, values, precision, milliseconds: {...milliseconds, total: total(milliseconds)}, rays};
+}
+
 const RETRY_MS = 500; // more each time, up to ten times as long
 
 class Server {
@@ -49,37 +57,31 @@ class Server {
     return withDivisions(made, true);
   }
 
-  static cameraParameters(view) {
-    const {from, at, up, angle} = view.camera;
-    return {grid: view.grid, from: from.join(), at: at.join(), up: up.join(), angle, width: view.width,
-            height: view.height, depth: view.depth, channel: view.channel,
-            ...(view.channel === 'cut' ? {axis: view.axis, share: view.share} : {})};
+  static cameraParameters({camera: {from, at, up, angle}, width, height}) {
+    return {from: from.join(), at: at.join(), up: up.join(), angle, width, height};
+  }
+  static viewParameters(view) {
+    const {grid, depth, channel, axis, share} = view;
+    return {...Server.cameraParameters(view), grid, depth, channel, ...(channel === 'cut' ? {axis, share} : {})};
   }
 
-  // {image, values, precision, milliseconds: {wait, trace, …, total}, rays}: values of channels that are numbers, an
-  // image of others; precision: robust, or another one and why. crop: [x, y, width, height].
+  // As pictureOf() has it; crop: [x, y, width, height].
   async picture(view, quality, crop, signal) {
-    const parameters = {...Server.cameraParameters(view), quality, ...(crop ? {crop: crop.join()} : {})};
+    const parameters = {...Server.viewParameters(view), quality, ...(crop ? {crop: crop.join()} : {})};
     const [blob, timing, begin] = await this.get('api/picture', parameters, signal, async (response, asked) =>
       [await response.blob(), response.headers.get('Server-Timing'), asked]);
-    const isImage = blob.type === 'image/jpeg', image = isImage ? await createImageBitmap(blob) : null;
-    const values = isImage ? null : new Float32Array(await inflated(blob));
-    const {precision, rays, ...milliseconds} = readTiming(timing);
-    return {image, values, precision, milliseconds: {...milliseconds, total: performance.now() - begin - milliseconds.wait}, rays};
+    return pictureOf(blob, blob.type === 'image/jpeg', timing, ({wait}) => performance.now() - begin - wait);
   }
 
   counts(view, signal) {
-    return this.json('api/counts', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still'}, signal);
+    return this.json('api/counts', {...Server.viewParameters({...view, channel: 'shaded'}), quality: 'still'}, signal);
   }
 
   // Where a walk can be picked, as shares of the picture: anywhere.
   pixel(shareX, shareY) { return [shareX, shareY]; }
 
   // {origin, direction, precision} of the camera ray through a pixel's centre.
-  ray({camera, width, height}, x, y, signal) {
-    const {from, at, up, angle} = camera;
-    return this.json('api/ray', {from: from.join(), at: at.join(), up: up.join(), angle, width, height, x, y}, signal);
-  }
+  ray(view, x, y, signal) { return this.json('api/ray', {...Server.cameraParameters(view), x, y}, signal); }
 
   // ray: {origin, direction, all, depth}; all: with the rays that it spawns.
   walk(grid, {origin, direction, all, depth, precision}, signal) {
