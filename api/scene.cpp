@@ -44,11 +44,8 @@ IndexedMesh mesh_of(const masu_mesh& given, HostCopies& copies) {
   mesh.vertices = given.vertex_count;
   mesh.triangles = given.triangle_count;
   mesh.indices = copies.of(given.indices, 3 * given.triangle_count);
-  const auto vertices_of = [&](const auto* given_numbers) {
-    const auto* const numbers = copies.of(given_numbers, 3 * given.vertex_count);
-    mesh.vertex = [numbers](std::size_t i) { return vector_at(numbers + 3 * i); };
-  };
-  given.vertices != nullptr ? vertices_of(given.vertices) : vertices_of(given.vertices64);
+  mesh.floats = copies.of(given.vertices, 3 * given.vertex_count);
+  mesh.doubles = copies.of(given.vertices64, 3 * given.vertex_count);
   set_color(mesh.color, given.color);
   return mesh;
 }

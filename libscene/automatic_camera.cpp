@@ -1,5 +1,6 @@
 #include "libscene/automatic_camera.h"
 
+#include "libscene/mesh/indexed_mesh.h"
 #include "libscene/scene_bounds.h"
 
 #include <cmath>
@@ -13,6 +14,7 @@ Boxd box_of_sphere(const Vec3d& center, double radius) {
   return grown(Boxd{center, center}, std::abs(radius));
 }
 struct RoughBox {
+  Boxd operator()(const Boxd& box) const { return box; }
   Boxd operator()(const SceneTriangle& t) const { return bounds(t); }
   Boxd operator()(const Sphere<double>& s) const { return box_of_sphere(s.center, s.radius); }
   Boxd operator()(const Cone<double>& c) const {
@@ -22,7 +24,8 @@ struct RoughBox {
 
 } // namespace
 
-Sphere<double> bounding_sphere(const Scene& scene) {
+template <class Triangles>
+Sphere<double> bounding_sphere(const SceneOf<Triangles>& scene) {
   Boxd box = joined_boxes(scene, RoughBox{});
   if (is_empty(box)) box = {{0, 0, 0}, {0, 0, 0}};
   const Vec3d center = box.min * 0.5 + box.max * 0.5;
@@ -33,6 +36,8 @@ Sphere<double> bounding_sphere(const Scene& scene) {
   if (radius > min_radius) return {center, radius};
   return {center, min_radius > 0 ? min_radius : 1};
 }
+template Sphere<double> bounding_sphere(const Scene&);
+template Sphere<double> bounding_sphere(const ArrayScene&);
 
 double framing_distance(double radius, double angle, std::int32_t width, std::int32_t height) {
   const double narrowing = min(1.0, static_cast<double>(width) / height);

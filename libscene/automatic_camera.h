@@ -7,7 +7,8 @@ namespace masu {
 
 // Not tight, but enough for a view. Its radius is never so small that a camera would round to its centre; a
 // unit sphere where the scene is empty.
-Sphere<double> bounding_sphere(const Scene& scene);
+template <class Triangles>
+Sphere<double> bounding_sphere(const SceneOf<Triangles>& scene);
 
 // From a camera of the given vertical angle (degrees) and pixels to the centre of a sphere that fills the
 // smaller of the image's height and width.

@@ -2,6 +2,7 @@
 
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
+#include "libscene/mesh/indexed_mesh.h"
 #include "libscene/scene_bounds.h"
 
 #include <tbb/blocked_range.h>
@@ -21,16 +22,22 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
+template <class Part, class Records, class Act>
+__attribute__((flatten)) void gather(const Records& records, std::size_t begin, std::size_t end, Part& part,
+                                     const Act& act) {
+  for (std::size_t i = begin; i != end; ++i)
+    act(records[i], part, i);
+}
+
 // Calls act(record, part, index) for every record, in parallel, and joins the threads' parts by `+=`.
-template <class Part, class Record, class Act>
-Part gathered(std::span<const Record> records, const ProgressMonitor* progress, const Act& act) {
+template <class Part, class Records, class Act>
+Part gathered(const Records& records, const ProgressMonitor* progress, const Act& act) {
   tbb::combinable<Part> parts;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, records.size(), grain), [&](const auto& range) {
-    Part& part = parts.local();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      if (i % grain == 0) check_progress(progress);
-      act(records[i], part, i);
-    }
+    Part part;
+    check_progress(progress);
+    gather(records, range.begin(), range.end(), part, act);
+    parts.local() += part;
   });
   Part total;
   parts.combine_each([&](const Part& part) { total += part; });
@@ -48,10 +55,10 @@ double rounding_of(double value) {
   return std::abs(value - static_cast<double>(static_cast<float>(value)));
 }
 double rounding_of(const Vec3d& v) {
-  return std::max({rounding_of(v.x), rounding_of(v.y), rounding_of(v.z)});
+  return max(rounding_of(v.x), max(rounding_of(v.y), rounding_of(v.z)));
 }
 double rounding_of(const SceneTriangle& t) {
-  return std::max({rounding_of(t.a), rounding_of(t.b), rounding_of(t.c)});
+  return max(rounding_of(t.a), max(rounding_of(t.b), rounding_of(t.c)));
 }
 double rounding_of(const Sphere<double>& s) {
   return std::max(rounding_of(s.center), rounding_of(s.radius));
@@ -158,16 +165,15 @@ struct Indices {
   }
 };
 
-template <class Face>
-std::uint64_t triangles_alone(std::span<const Face> triangles, const Vec3d& origin, double size,
+template <class Triangles>
+std::uint64_t triangles_alone(const Triangles& triangles, const Vec3d& origin, double size,
                               const ProgressMonitor* progress) {
-  const auto moved = [&](const Face& t) { return relative_to(origin, widened(t)); };
+  const auto moved = [&](const auto& t) { return relative_to(origin, widened(t)); };
   const auto is_small = [size](const SceneTriangle& t) { return extent(bounds(t)) <= size; };
   const Indices small =
-      gathered<Indices>(triangles, progress, [&](const Face& t, Indices& part, std::size_t i) {
+      gathered<Indices>(triangles, progress, [&](const auto& t, Indices& part, std::size_t i) {
         if (is_small(moved(t))) part.list.push_back(static_cast<std::uint32_t>(i));
       });
-  if (small.list.empty()) return 0;
   SmallSurfaces surfaces(3 * small.list.size());
   for (const std::uint32_t i : small.list) {
     if (surfaces.corner_count() % grain == 0) check_progress(progress);
@@ -193,6 +199,17 @@ std::uint64_t triangles_alone(std::span<const Face> triangles, const Vec3d& orig
 
 // --- All of a scene -------------------------------------------------------------------------------------
 
+struct OfTriangles {
+  Boxd box = empty_box<double>();                                       // of those with a surface
+  double rounding = 0, least = std::numeric_limits<double>::infinity(); // extent
+  OfTriangles& operator+=(const OfTriangles& other) {
+    box = join(box, other.box);
+    rounding = std::max(rounding, other.rounding);
+    least = std::min(least, other.least);
+    return *this;
+  }
+};
+
 struct Found {
   double rounding = 0;
   std::uint64_t small = 0, moved = 0;
@@ -206,22 +223,26 @@ struct Found {
 
 } // namespace
 
-SceneSpans<double, SceneTriangle> spans_of(const Scene& scene, const Vec3d& origin) {
-  return {scene.triangles, scene.spheres, scene.cones, scene.lights, origin};
-}
-
-template <class Stored, class Face>
-Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene, const ProgressMonitor* progress) {
+template <class Stored, class Triangles>
+Float32Precision float32_precision(const SceneSpans<Stored, Triangles>& scene,
+                                   const ProgressMonitor* progress) {
   Float32Precision result;
   const bool lights_in_range =
       std::all_of(scene.lights.begin(), scene.lights.end(), [&](const Light<Stored>& light) {
         return largest_magnitude(cast<double>(light.position) - scene.origin) <= max_float32_reach;
       });
   const auto moved = [&](const auto& record) { return relative_to(scene.origin, widened(record)); };
-  const Boxd box = joined_boxes(scene, [&](const auto& stored) {
-    const auto record = moved(stored);
-    return has_surface(widened(record)) ? bounds(record) : empty_box<double>();
-  });
+  const auto triangles =
+      gathered<OfTriangles>(scene.triangles, progress, [&](const auto& stored, auto& part, std::size_t) {
+        const SceneTriangle t = moved(stored);
+        const Boxd box = bounds(t);
+        if (has_surface(widened(t))) part.box = join(part.box, box);
+        part.rounding = std::max(part.rounding, rounding_of(t));
+        part.least = std::min(part.least, extent(box));
+      });
+  const auto box_of = [&](const auto& stored) { return bounds(moved(stored)); };
+  const Boxd box =
+      join(triangles.box, join(joined_boxes(scene.spheres, box_of), joined_boxes(scene.cones, box_of)));
   result.in_range = lights_in_range;
   if (is_empty(box)) return result;
   const double reach = largest_magnitude(box);
@@ -233,9 +254,7 @@ Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene, const 
     return result;
   }
   const double size = 2 * result.margin;
-  Found found = gathered<Found>(scene.triangles, progress, [&](const Face& t, Found& part, std::size_t) {
-    part.rounding = std::max(part.rounding, rounding_of(moved(t)));
-  });
+  Found found{triangles.rounding};
   found +=
       gathered<Found>(scene.spheres, progress, [&](const Sphere<Stored>& stored, Found& part, std::size_t) {
         const Sphere<double> s = moved(stored);
@@ -247,11 +266,16 @@ Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene, const 
   });
   result.rounding = found.rounding;
   result.moved_cones = found.moved;
-  result.standing_alone = found.small + triangles_alone(scene.triangles, scene.origin, size, progress);
+  result.standing_alone = found.small;
+  if (triangles.least <= size)
+    result.standing_alone += triangles_alone(scene.triangles, scene.origin, size, progress);
   return result;
 }
 template Float32Precision float32_precision(const SceneSpans<float>&, const ProgressMonitor*);
 template Float32Precision float32_precision(const SceneSpans<double>&, const ProgressMonitor*);
-template Float32Precision float32_precision(const SceneSpans<double, SceneTriangle>&, const ProgressMonitor*);
+template Float32Precision float32_precision(const SceneSpans<double, const GrowingArray<SceneTriangle>&>&,
+                                            const ProgressMonitor*);
+template Float32Precision float32_precision(const SceneSpans<double, const MeshTriangles&>&,
+                                            const ProgressMonitor*);
 
 } // namespace masu

@@ -32,17 +32,19 @@ struct Float32Precision {
   bool suffices() const { return in_range && !is_far() && standing_alone == 0 && moved_cones == 0; }
 };
 
-// The primitives and lights of a scene in host memory, to be stored relative to `origin`. `Face`: its record
-// of a triangle.
-template <class Stored, class Face = Triangle<Stored>>
+// The primitives and lights of a scene in host memory, to be stored relative to `origin`.
+template <class Stored, class Triangles = std::span<const Triangle<Stored>>>
 struct SceneSpans {
-  std::span<const Face> triangles;
+  Triangles triangles;
   std::span<const Sphere<Stored>> spheres;
   std::span<const Cone<Stored>> cones;
   std::span<const Light<Stored>> lights;
   Vec3d origin{0, 0, 0};
 };
-SceneSpans<double, SceneTriangle> spans_of(const Scene& scene, const Vec3d& origin);
+template <class Triangles>
+SceneSpans<double, const Triangles&> spans_of(const SceneOf<Triangles>& scene, const Vec3d& origin) {
+  return {scene.triangles, scene.spheres, scene.cones, scene.lights, origin};
+}
 // Of a view the coordinates are relative to its origin already.
 template <class Stored>
 SceneSpans<Stored> spans_of(const SceneView<Stored>& view, const Lighting<Stored>& lighting) {
@@ -52,8 +54,8 @@ SceneSpans<Stored> spans_of(const SceneView<Stored>& view, const Lighting<Stored
           {lighting.lights, lighting.light_count}};
 }
 
-// Coordinates must be finite. Takes time for one pass over the scene; if there are small triangles, a second
-// one, and about 100 bytes for each.
+// Coordinates must be finite. Takes time for one pass over the scene; if there are small triangles, for two
+// more, and about 100 bytes for each.
 //
 // A part is a sphere, a cone, or triangles that share corners. Parts with a triangle larger than twice the
 // margin aren't counted: their small triangles belong to a surface that no ray slips through, and a ray that
@@ -63,11 +65,12 @@ SceneSpans<Stored> spans_of(const SceneView<Stored>& view, const Lighting<Stored
 // traced: corners that were equal stay so, and what rounding joins was no farther apart than a hundredth of
 // the margin, which results can't tell anyway. Corners farther apart may be meant as one, but a gap is
 // between them, so they aren't.
-template <class Stored, class Face>
-Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene,
+template <class Stored, class Triangles>
+Float32Precision float32_precision(const SceneSpans<Stored, Triangles>& scene,
                                    const ProgressMonitor* progress = nullptr);
-inline Float32Precision float32_precision(const Scene& scene, const Vec3d& origin = {0, 0, 0},
-                                          const ProgressMonitor* progress = nullptr) {
+template <class Triangles>
+Float32Precision float32_precision(const SceneOf<Triangles>& scene, const Vec3d& origin = {0, 0, 0},
+                                   const ProgressMonitor* progress = nullptr) {
   return float32_precision(spans_of(scene, origin), progress);
 }
 

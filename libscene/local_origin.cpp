@@ -2,6 +2,7 @@
 
 #include "libscene/base/error.h"
 #include "libscene/geometry/cone.h"
+#include "libscene/mesh/indexed_mesh.h"
 #include "libscene/scene_bounds.h"
 
 #include <cmath>
@@ -11,6 +12,7 @@ namespace {
 
 // Of a record's points, without radii: exact.
 struct PointBox {
+  Boxd operator()(const Boxd& box) const { return box; }
   Boxd operator()(const SceneTriangle& t) const { return bounds(t); }
   Boxd operator()(const Sphere<double>& s) const { return {s.center, s.center}; }
   Boxd operator()(const Cone<double>& c) const { return join(Boxd{c.base, c.base}, c.apex); }
@@ -18,7 +20,8 @@ struct PointBox {
 
 } // namespace
 
-Vec3d automatic_origin(const Scene& scene) {
+template <class Triangles>
+Vec3d automatic_origin(const SceneOf<Triangles>& scene) {
   const Vec3d corner = joined_boxes(scene, PointBox{}).min;
   const Boxd box = joined_boxes(
       scene, [&](const auto& record) { return bounds(relative_to(corner, record)); }); // of its kind
@@ -34,11 +37,16 @@ Vec3d automatic_origin(const Scene& scene) {
   return corner + Vec3d{rounded(center.x), rounded(center.y), rounded(center.z)};
 }
 
-Vec3d origin_for(const Scene& scene, const std::optional<Vec3d>& wanted, const char* place) {
+template <class Triangles>
+Vec3d origin_for(const SceneOf<Triangles>& scene, const std::optional<Vec3d>& wanted, const char* place) {
   if (!wanted) return automatic_origin(scene);
   if (!(largest_magnitude(*wanted) <= max_origin) || !is_finite(*wanted))
     throw Error(ErrorCode::usage, place, "isn't a finite point within 1e100 of zero");
   return relative_to({0, 0, 0}, *wanted);
 }
+
+template Vec3d automatic_origin(const Scene&);
+template Vec3d origin_for(const Scene&, const std::optional<Vec3d>&, const char*);
+template Vec3d origin_for(const ArrayScene&, const std::optional<Vec3d>&, const char*);
 
 } // namespace masu

@@ -20,11 +20,14 @@ inline constexpr double max_origin = 1e100;
 // computed relative to a corner of the box of vertices, centres and ends, and only then moved there; and the
 // centre is rounded to the 512th part of the extent, so that the sum is exact wherever the scene's
 // coordinates have so many steps.
-Vec3d automatic_origin(const Scene& scene);
+template <class Triangles>
+Vec3d automatic_origin(const SceneOf<Triangles>& scene);
 
 // Automatic where `wanted` isn't given. Throws Error(usage, place, …) for one that isn't finite or lies
 // beyond max_origin.
-Vec3d origin_for(const Scene& scene, const std::optional<Vec3d>& wanted, const char* place = "origin");
+template <class Triangles>
+Vec3d origin_for(const SceneOf<Triangles>& scene, const std::optional<Vec3d>& wanted,
+                 const char* place = "origin");
 
 // A point relative to an origin: each coordinate rounded once. Never -0, which a moved scene wouldn't have.
 MASU_HD inline Vec3d relative_to(const Vec3d& origin, const Vec3d& point) {

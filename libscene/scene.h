@@ -90,7 +90,9 @@ inline Triangle<double> widened(const SceneTriangle& t) {
 }
 
 // Geometry is double until the file is written: only then is it known whether float32 is precise enough.
-struct Scene {
+// Triangles: SceneTriangle records by number, and how many they are.
+template <class Triangles>
+struct SceneOf {
   Camera camera;
   Vec3f background;
   float ambient;   // √n/(2n) for n lights
@@ -98,7 +100,7 @@ struct Scene {
   std::vector<Light<double>> lights;
   std::vector<Material> materials;
 
-  GrowingArray<SceneTriangle> triangles;
+  Triangles triangles;
   GrowingArray<CornerNormals<double>> normals;
   GrowingArray<Sphere<double>> spheres;
   GrowingArray<Surface> sphere_surfaces;
@@ -110,5 +112,6 @@ struct Scene {
   ObjectCounts objects;
   SceneWarnings warnings;
 };
+using Scene = SceneOf<GrowingArray<SceneTriangle>>;
 
 } // namespace masu

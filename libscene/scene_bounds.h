@@ -11,19 +11,30 @@ namespace masu {
 // The join of box_of(begin, end) for the ranges that 0 … count - 1 is cut into, in parallel.
 Boxd join_of_ranges(std::size_t count, const std::function<Boxd(std::size_t, std::size_t)>& box_of);
 
-// Of what box_of(record) gives of all triangles, spheres and cones, in parallel; empty where there are none.
-// Primitives: Scene, or SceneSpans.
-template <class Primitives, class BoxOf>
-Boxd joined_boxes(const Primitives& scene, const BoxOf& box_of) {
-  const auto of = [&](const auto& records) {
+// Of what box_of(record) gives of all records, in parallel; empty where there are none. Where their box is
+// known (MeshTriangles), it is what box_of() gives of that: it keeps the order of coordinates.
+template <class Records, class BoxOf>
+Boxd joined_boxes(const Records& records, const BoxOf& box_of) {
+  if constexpr (requires { records.box(); }) {
+    return records.size() > 0 ? box_of(records.box()) : empty_box<double>();
+  } else {
     return join_of_ranges(records.size(), [&](std::size_t begin, std::size_t end) {
       Boxd box = empty_box<double>();
       for (std::size_t i = begin; i != end; ++i)
         box = join(box, box_of(records[i]));
       return box;
     });
-  };
-  return join(join(of(scene.triangles), of(scene.spheres)), of(scene.cones));
+  }
+}
+
+// The same of all triangles, spheres and cones of a scene.
+template <class Scene, class BoxOf>
+requires requires(const Scene& scene) {
+  scene.triangles;
+}
+Boxd joined_boxes(const Scene& scene, const BoxOf& box_of) {
+  return join(join(joined_boxes(scene.triangles, box_of), joined_boxes(scene.spheres, box_of)),
+              joined_boxes(scene.cones, box_of));
 }
 
 } // namespace masu

@@ -13,7 +13,8 @@ namespace masu {
 // A scene file and a grid for it.
 class Rendering {
 public:
-  Rendering(const Scene& scene, Store store, const std::string& division = "auto",
+  template <class Triangles>
+  Rendering(const SceneOf<Triangles>& scene, Store store, const std::string& division = "auto",
             const StructureOptions& options = {}, const std::optional<Vec3d>& origin = {})
       : camera_(scene.camera) {
     write_scene(scene, store, folder_.file("scene"), origin);

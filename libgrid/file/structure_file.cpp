@@ -84,7 +84,7 @@ StructureFile::StructureFile(ContainerFile container) : TableFile(std::move(cont
   check(table_->block_log2() <= 5, "its blocks are impossible");
   container_.read_sections(sections());
   check_sizes();
-  if (residence() != Residence::file) {
+  if (container_.has_records_to_check()) {
     const char* const fault = fault_of(HostChecker{}, records());
     check(fault == nullptr, fault);
   }

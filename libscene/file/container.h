@@ -80,8 +80,8 @@ SectionData converted_section_data(std::uint32_t kind, const Records& records, c
   using To = std::decay_t<decltype(converted(records[0]))>;
   return {kind, sizeof(To), records.size(), nullptr,
           [&records, converted](std::uint64_t first, std::uint64_t count, void* to) {
-            std::transform(records.data() + first, records.data() + first + count, static_cast<To*>(to),
-                           converted);
+            for (std::uint64_t i = 0; i != count; ++i)
+              static_cast<To*>(to)[i] = converted(records[first + i]);
           }};
 }
 
@@ -169,7 +169,8 @@ class ContainerFile {
 public:
   // Reads the prelude and the table. Throws Error(input, path, …).
   ContainerFile(const std::string& path, const FileKind& kind, Residence residence);
-  // Of bytes that were made in this process, which need no hashes checked; `name` is for messages.
+  // Of bytes that were made in this process: neither hashes nor records need to be checked. `name` is for
+  // messages.
   ContainerFile(ContainerMemory memory, const char* name);
 
   std::span<const std::uint8_t> table() const {
@@ -179,6 +180,8 @@ public:
   const std::string& path() const { return path_; }
   std::uint64_t bytes() const { return prelude().body_offset + prelude().body_bytes; }
   Residence residence() const { return residence_; }
+  // Whether its records are in memory, and anybody could have written them.
+  bool has_records_to_check() const { return file_.has_value() && residence_ != Residence::file; }
   const LoadSeconds& load_seconds() const { return seconds_; }
 
   // Checks the sections' order, bounds and alignment and what is between them; then, unless they stay in the

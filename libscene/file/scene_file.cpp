@@ -4,6 +4,7 @@
 #include "libscene/file/scene_checks.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
+#include "libscene/mesh/indexed_mesh.h"
 #include "libscene/scene_bounds.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,10 @@ Triangle<To> converted(const SceneTriangle& t) {
   return {cast<To>(t.a), t.object, cast<To>(t.b), t.material, cast<To>(t.c), t.normals};
 }
 template <class To>
+Box<To> converted(const Boxd& box) {
+  return cast<To>(box);
+}
+template <class To>
 CornerNormals<To> converted(const CornerNormals<double>& n) {
   return {cast<To>(n.a), cast<To>(n.b), cast<To>(n.c)};
 }
@@ -42,13 +47,15 @@ Light<To> converted(const Light<double>& l) {
 }
 
 // Of what `stored` makes of the records.
-template <class AsStored>
+template <class Scene, class AsStored>
 Boxd bounds_of(const Scene& scene, const AsStored& stored) {
   return joined_boxes(scene, [&](const auto& record) { return cast<double>(bounds(stored(record))); });
 }
 
-std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const fb::Vec3& origin,
-                                      const Boxd& box, const std::vector<fb::Section>& layout) {
+template <class Triangles>
+std::vector<std::uint8_t> scene_table(const SceneOf<Triangles>& scene, fb::Store store,
+                                      const fb::Vec3& origin, const Boxd& box,
+                                      const std::vector<fb::Section>& layout) {
   flatbuffers::FlatBufferBuilder builder;
   const auto sections = builder.CreateVectorOfStructs(layout);
   const Camera& view = scene.camera;
@@ -89,8 +96,9 @@ template <class Stored>
 constexpr const char* store_name = std::is_same_v<Stored, float> ? "float32" : "float64";
 
 // Calls act(the sections, what makes the table of their layout).
-template <class Stored, class Act>
-auto with_sections(const Scene& scene, const Vec3d& origin, const std::string& path, const Act& act) {
+template <class Stored, class Triangles, class Act>
+auto with_sections(const SceneOf<Triangles>& scene, const Vec3d& origin, const std::string& path,
+                   const Act& act) {
   // Records are converted when they are needed: another copy of them all could be too large.
   const auto stored = [&](const auto& record) {
     if constexpr (std::is_same_v<std::decay_t<decltype(record)>, CornerNormals<double>>)
@@ -151,8 +159,8 @@ auto with_sections(const Scene& scene, const Vec3d& origin, const std::string& p
 }
 
 // With an origin and a store that are chosen where they aren't given.
-template <class Act>
-auto with_sections(const Scene& scene, Store store, const std::optional<Vec3d>& wanted,
+template <class Triangles, class Act>
+auto with_sections(const SceneOf<Triangles>& scene, Store store, const std::optional<Vec3d>& wanted,
                    const std::string& path, const Act& act, const ProgressMonitor* progress = nullptr) {
   const Vec3d origin = origin_for(scene, wanted);
   if (store == Store::automatic) store = resolved(store, float32_precision(scene, origin, progress));
@@ -182,9 +190,12 @@ bool reaches_within(const Boxd& bounds) {
 template bool reaches_within<float>(const Boxd&);
 template bool reaches_within<double>(const Boxd&);
 
-Boxd bounds(const Scene& scene) {
+template <class Triangles>
+Boxd bounds(const SceneOf<Triangles>& scene) {
   return bounds_of(scene, [](const auto& record) { return record; });
 }
+template Boxd bounds(const Scene&);
+template Boxd bounds(const ArrayScene&);
 
 Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds, const fb::Vec3& origin) {
   using fb::SceneSection;
@@ -209,7 +220,8 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds,
   return hash_of(bytes);
 }
 
-Hash write_scene(const Scene& scene, Store store, const std::string& path,
+template <class Triangles>
+Hash write_scene(const SceneOf<Triangles>& scene, Store store, const std::string& path,
                  const std::optional<Vec3d>& wanted) {
   return with_sections(scene, store, wanted, path, [&](const auto& sections, const auto& table_of) {
     const auto layout = lay_out(sections);
@@ -219,14 +231,20 @@ Hash write_scene(const Scene& scene, Store store, const std::string& path,
     return geometry_hash(layout, *table.bounds(), *table.origin());
   });
 }
+template Hash write_scene(const Scene&, Store, const std::string&, const std::optional<Vec3d>&);
+template Hash write_scene(const ArrayScene&, Store, const std::string&, const std::optional<Vec3d>&);
 
-SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<Vec3d>& wanted,
+template <class Triangles>
+SceneFile scene_in_memory(const SceneOf<Triangles>& scene, Store store, const std::optional<Vec3d>& wanted,
                           const ProgressMonitor* progress) {
   const auto act = [&](const auto& sections, const auto& table_of) {
     return SceneFile(ContainerFile(make_container(scene_file_kind, sections, table_of, progress), "scene"));
   };
   return with_sections(scene, store, wanted, "scene", act, progress);
 }
+template SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3d>&, const ProgressMonitor*);
+template SceneFile scene_in_memory(const ArrayScene&, Store, const std::optional<Vec3d>&,
+                                   const ProgressMonitor*);
 
 namespace {
 
@@ -263,7 +281,7 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
         "its counts of objects are too large");
   with_view([&]<class Stored>(const SceneView<Stored>& view) {
     const Lighting<Stored> lit = lighting<Stored>();
-    if (residence() == Residence::file) return;
+    if (!container_.has_records_to_check()) return;
     const char* const fault = fault_of(HostChecker{}, view, lit, bounds(), counts());
     check(fault == nullptr, fault);
   });

@@ -18,7 +18,8 @@ inline constexpr FileKind scene_file_kind{
 enum class Store { automatic, float32, float64 };
 
 // Of all primitives; empty where there is none.
-Boxd bounds(const Scene& scene);
+template <class Triangles>
+Boxd bounds(const SceneOf<Triangles>& scene);
 
 // Whether a store holds coordinates within these bounds: float32 from 1e-10 to 1e12, float64 from 1e-90 to
 // 1e100, so that products of three neither overflow nor underflow. Also where there is no primitive.
@@ -43,14 +44,16 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds,
 // hash. Throws Error(output) when it can't be written, Error(usage) as origin_for() does, Error(input) when
 // the largest coordinate, relative to the origin, is out of the store's range, or a cone has no length once
 // rounded.
-Hash write_scene(const Scene& scene, Store store, const std::string& path,
+template <class Triangles>
+Hash write_scene(const SceneOf<Triangles>& scene, Store store, const std::string& path,
                  const std::optional<Vec3d>& origin = {});
 
 class SceneFile;
 
 // The same in memory: a scene file that was never written. The place of its errors is "scene".
-SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<Vec3d>& origin = {},
-                          const ProgressMonitor* progress = nullptr);
+template <class Triangles>
+SceneFile scene_in_memory(const SceneOf<Triangles>& scene, Store store,
+                          const std::optional<Vec3d>& origin = {}, const ProgressMonitor* progress = nullptr);
 
 // What a grid has to know of the scene that it is built from.
 struct SceneGeometry {
@@ -97,7 +100,9 @@ public:
   }
 
 private:
-  friend SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3d>&, const ProgressMonitor*);
+  template <class Triangles>
+  friend SceneFile scene_in_memory(const SceneOf<Triangles>&, Store, const std::optional<Vec3d>&,
+                                   const ProgressMonitor*);
   explicit SceneFile(ContainerFile container);
 
   Hash geometry_hash_;

@@ -33,6 +33,10 @@ MASU_HD inline Box<T> join(const Box<T>& a, const Vec3<T>& p) {
   return join(a, Box<T>{p, p});
 }
 template <class T>
+MASU_HD inline Box<T> bounds(const Box<T>& b) {
+  return b;
+}
+template <class T>
 MASU_HD inline Box<T> grown(const Box<T>& b, T by) {
   return {b.min - Vec3<T>{by, by, by}, b.max + Vec3<T>{by, by, by}};
 }

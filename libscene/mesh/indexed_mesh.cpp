@@ -3,43 +3,43 @@
 #include "libscene/automatic_camera.h"
 #include "libscene/base/error.h"
 #include "libscene/mesh/points.h"
-#include "libscene/mesh/triangle_area.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 
 namespace masu {
 namespace {
 
-constexpr std::size_t none = ~std::size_t{0};
+// Of a range of triangles.
+struct Found {
+  std::size_t wrong = none, first_surface = none;
+  Boxd box = empty_box<double>(); // of those that have a surface
 
-void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene, const ProgressMonitor* progress) {
-  std::atomic<std::size_t> wrong = none;
-  const auto material = static_cast<std::uint32_t>(scene.materials.size());
-  scene.materials.push_back({mesh.color, 1, 0, 0, 0, 1});
-  const std::span<SceneTriangle> triangles = scene.triangles.extend(mesh.triangles);
-  tbb::parallel_for(std::size_t{0}, mesh.triangles, [&](std::size_t i) {
-    if (i % 4096 == 0) check_progress(progress);
-    std::array<std::size_t, 3> corners{3 * i, 3 * i + 1, 3 * i + 2};
-    if (mesh.indices != nullptr) std::copy_n(mesh.indices + 3 * i, 3, corners.begin());
-    if (corners[0] >= mesh.vertices || corners[1] >= mesh.vertices || corners[2] >= mesh.vertices) {
-      wrong = i;
-      return;
-    }
+  static constexpr std::size_t none = ~std::size_t{0};
+};
+Found join(const Found& a, const Found& b) {
+  return {std::min(a.wrong, b.wrong), std::min(a.first_surface, b.first_surface), join(a.box, b.box)};
+}
+
+Found found_in(const IndexedMesh& mesh, std::size_t begin, std::size_t end) {
+  Found found;
+  for (std::size_t i = begin; i != end; ++i) {
+    const std::size_t corners[] = {mesh.index(3 * i), mesh.index(3 * i + 1), mesh.index(3 * i + 2)};
+    if (max(corners[0], max(corners[1], corners[2])) >= mesh.vertices) return join(found, Found{i});
     const Vec3d a = mesh.vertex(corners[0]), b = mesh.vertex(corners[1]), c = mesh.vertex(corners[2]);
-    if (!is_coordinate(a) || !is_coordinate(b) || !is_coordinate(c)) wrong = i;
-    const bool is_surface = has_distinct_corners(a, b, c);
-    triangles[i] = {a, object, is_surface ? b : a, material, is_surface ? c : a, no_normals};
-  });
-  if (wrong != none)
-    throw Error(ErrorCode::usage, "meshes",
-                fmt::format("mesh {}: triangle {} has a vertex that there isn't, or whose coordinates aren't "
-                            "finite or beyond 1e100",
-                            object, wrong.load()));
+    if (!is_coordinate(a) || !is_coordinate(b) || !is_coordinate(c)) return join(found, Found{i});
+    if (!has_distinct_corners(a, b, c)) continue;
+    if (found.first_surface == Found::none) found.first_surface = i;
+    found.box = join(join(join(found.box, a), b), c);
+  }
+  return found;
+}
+
+Material matte(const Vec3f& color) {
+  return {color, 1, 0, 0, 0, 1};
 }
 
 bool is_valid(const Sphere<double>& s) {
@@ -52,11 +52,11 @@ bool is_valid(const Cone<double>& c) {
 }
 
 template <class Primitive>
-void add(const PrimitiveArray<Primitive>& array, std::size_t object, const char* place, Scene& scene,
+void add(const PrimitiveArray<Primitive>& array, std::size_t object, const char* place, ArrayScene& scene,
          GrowingArray<Primitive>& primitives, GrowingArray<Surface>& surfaces) {
   const Surface surface{static_cast<std::uint32_t>(object),
                         static_cast<std::uint32_t>(scene.materials.size())};
-  scene.materials.push_back({array.color, 1, 0, 0, 0, 1});
+  scene.materials.push_back(matte(array.color));
   for (std::size_t i = 0; i < array.count; ++i) {
     primitives.push_back(array.primitive(i));
     surfaces.push_back(surface);
@@ -78,19 +78,41 @@ std::size_t sum(const Objects& objects, const Count& count) {
 
 } // namespace
 
-Scene scene_of(std::span<const IndexedMesh> meshes, std::span<const SphereArray> spheres,
-               std::span<const ConeArray> cones, const ProgressMonitor* progress) {
-  Scene scene{};
+MeshTriangles::MeshTriangles(std::span<const IndexedMesh> meshes, const ProgressMonitor* progress)
+    : meshes_(meshes), place_(points_without_surface) {
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const IndexedMesh& mesh = meshes[m];
+    const Found found = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, mesh.triangles, 4096), Found{},
+        [&](const auto& range, const Found& before) {
+          check_progress(progress);
+          return join(before, found_in(mesh, range.begin(), range.end()));
+        },
+        [](const Found& a, const Found& b) { return join(a, b); });
+    if (found.wrong != Found::none)
+      throw Error(ErrorCode::usage, "meshes",
+                  fmt::format("mesh {}: triangle {} has a vertex that there isn't, or whose coordinates "
+                              "aren't finite or beyond 1e100",
+                              m, found.wrong));
+    if (is_empty(box_) && !is_empty(found.box)) place_ = mesh.vertex(mesh.index(3 * found.first_surface));
+    box_ = join(box_, found.box);
+    ends_.push_back(size() + mesh.triangles);
+  }
+  if (size() > 0 && is_empty(box_)) box_ = {place_, place_};
+}
+
+ArrayScene scene_of(std::span<const IndexedMesh> meshes, std::span<const SphereArray> spheres,
+                    std::span<const ConeArray> cones, const ProgressMonitor* progress) {
+  ArrayScene scene{};
   const auto count = [](const auto& array) -> std::uint64_t { return array.count; };
   const std::uint64_t triangles =
       sum(meshes, [](const IndexedMesh& mesh) -> std::uint64_t { return mesh.triangles; });
   if (triangles + sum(spheres, count) + sum(cones, count) > max_primitives ||
       meshes.size() + spheres.size() + cones.size() > max_primitives)
     throw Error(ErrorCode::usage, "geometry", "has more primitives than a scene may hold");
-  scene.triangles.reserve(triangles);
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-    add(meshes[i], static_cast<std::uint32_t>(i), scene, progress);
-  place_points(scene.triangles);
+  for (const IndexedMesh& mesh : meshes)
+    scene.materials.push_back(matte(mesh.color));
+  scene.triangles = MeshTriangles(meshes, progress);
   std::size_t object = meshes.size();
   for (const SphereArray& array : spheres)
     add(array, object++, "spheres", scene, scene.spheres, scene.sphere_surfaces);

@@ -41,8 +41,8 @@ struct Report {
 };
 
 // What both have in the same records.
-template <class Stored, class Face>
-Report report_of(const SceneSpans<Stored, Face>& scene, std::span<const Material> materials) {
+template <class Stored, class Triangles>
+Report report_of(const SceneSpans<Stored, Triangles>& scene, std::span<const Material> materials) {
   const auto count = [](const auto& records, const auto& property) {
     return static_cast<std::uint64_t>(std::ranges::count_if(records, property));
   };
