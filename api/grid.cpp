@@ -128,7 +128,7 @@ masu_status masu_grid_build(const masu_scene* scene, const masu_build_options* o
     const BuildOptions build_as = build_options(wanted);
     GoOn go_on(wanted.go_on, wanted.user);
     return on_threads_up_to(wanted.threads, [&] {
-      return held(built_grid(*scene->file, build_as, wanted.device, go_on.progress()));
+      return held(built_grid(scene->as_file(), build_as, wanted.device, go_on.progress()));
     });
   });
 }
@@ -139,10 +139,11 @@ masu_status masu_grid_refit(const masu_grid* grid, const masu_scene* scene, masu
     require(scene, "scene");
     const StructureFile& from = *grid->file;
     require_hierarchy(&from);
-    if (from.table().primitives() != scene->file->primitive_count())
+    const SceneFile& file = scene->as_file();
+    if (from.table().primitives() != file.primitive_count())
       fail("scene", fmt::format("has {} primitives, the grid was built from {}: build it anew",
-                                scene->file->primitive_count(), from.table().primitives()));
-    return held(refitted_grid(from, *scene->file));
+                                file.primitive_count(), from.table().primitives()));
+    return held(refitted_grid(from, file));
   });
 }
 

@@ -6,6 +6,7 @@
 #include "renderer/backend.h"
 #include "renderer/rays/automatic_loop.h"
 #include "renderer/rays/winding_numbers.h"
+#include "renderer/tracer/placed_tracer.h"
 #include "renderer/tracer/tracer.h"
 
 #include <tbb/blocked_range.h>
@@ -22,10 +23,11 @@ namespace {
 struct State {
   std::shared_ptr<const masu::SceneFile> scene;
   std::shared_ptr<const masu::StructureFile> grid; // none for brute force
-  masu::ResidentTracer tracer;
-  std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
-  bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
-  mutable std::mutex mutex;                // of what follows
+  std::optional<masu::ResidentTracer> tracer;      // or
+  std::optional<masu::PlacedTracer> placed;        // without any of the above
+  std::shared_ptr<masu::UsualLoops> loops;         // found out by the first query
+  bool is_on_gpu_alone = false; // moved there: what `scene` and `grid` say of places is of before
+  mutable std::mutex mutex;     // of what follows
   // For closest points and winding numbers, made by their first query.
   mutable std::shared_ptr<const State> by_hierarchy;
   mutable std::shared_ptr<const masu::WindingClusters> clusters;
@@ -34,11 +36,13 @@ struct State {
   State(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::StructureFile> grid_,
         const std::vector<int>& gpus)
       : scene(std::move(scene_)), grid(std::move(grid_)),
-        tracer(*scene, grid.get(), gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus),
+        tracer(std::in_place, *scene, grid.get(), gpus.empty() ? masu::Device::cpu : masu::Device::cuda,
+               gpus),
         loops(std::make_shared<masu::UsualLoops>()) {}
   State(const State& before, masu::ResidentTracer moved)
       : scene(before.scene), grid(before.grid), tracer(std::move(moved)), loops(before.loops),
         is_on_gpu_alone(true) {}
+  explicit State(masu::PlacedTracer tracer_) : placed(std::move(tracer_)) {}
 };
 
 } // namespace
@@ -154,12 +158,15 @@ void check_array(int place, const T* array, const char* name) {
     fail(name, "aren't aligned as their numbers must be");
 }
 
-void check_arrays(int place, const RayResults& results, const RayFilters& filters) {
+void check_arrays(int place, const RayResults& results, const RayFilters& filters,
+                  const PlacedFilters& placed_filters) {
   const auto check = [place](const auto* array) { check_array(place, array, "results"); };
   for_each_array(results, check);
   check(filters.excluded);
   check(filters.object_masks);
   check(filters.ray_masks);
+  check(placed_filters.excluded_objects);
+  check(placed_filters.worlds);
 }
 
 // What a tracer keeps, made by its first query. Of threads that ask at once each makes it, and the first is
@@ -182,7 +189,7 @@ std::shared_ptr<const State> by_hierarchy(const std::shared_ptr<const State>& st
                                           const std::function<void(double)>& progress) {
   if (!state->grid || state->grid->is_hierarchy()) return state;
   return kept(*state, state->by_hierarchy, [&] {
-    const std::vector<int>& gpus = state->tracer.gpus();
+    const std::vector<int>& gpus = state->tracer->gpus();
     return std::make_shared<const State>(
         state->scene,
         std::make_shared<const StructureFile>(
@@ -209,29 +216,37 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
                is_of_places ? place_format(wanted) : ray_formats[choice<int>(wanted.format, 4, "format")]);
   list.format.is_relative = wanted.relative != 0;
   list.filters = filters_of(wanted);
+  list.placed_filters = {wanted.exclude_objects, wanted.worlds};
   const int place = device_of(rays);
-  check_arrays(place, results, list.filters);
+  check_arrays(place, results, list.filters, list.placed_filters);
   auto state = tracer_handle.state();
   if (is_of_places) on_threads_up_to(wanted.threads, [&] { state = by_hierarchy(state, request.progress); });
-  const ResidentTracer& tracer = state->tracer;
   const auto loop = choice<int>(wanted.loop, 4, "loop");
-  if (loop != MASU_LOOP_AUTO)
-    request.loop = static_cast<RayLoop>(loop - MASU_LOOP_THREAD_PER_RAY);
-  else if (state->grid && tracer.device() == Device::cuda && !is_of_places &&
-           !needs_hits_in_order(list, results, request))
+  if (loop != MASU_LOOP_AUTO) request.loop = static_cast<RayLoop>(loop - MASU_LOOP_THREAD_PER_RAY);
+  const auto trace_by = [&](const auto& tracer) {
+    if (place == host_memory) {
+      on_threads_up_to(wanted.threads, [&] { tracer.trace(list, results, request); });
+      return;
+    }
+    const std::vector<int>& gpus = tracer.gpus();
+    if (std::ranges::count(gpus, place) == 0)
+      fail(is_of_places ? "places" : "rays",
+           fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
+                       gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
+    tracer.trace_on_device(list, results, request, wanted.stream, place);
+  };
+  if (state->placed && is_of_places) {
+    if (place != host_memory) fail("places", "must lie in host memory: the scene has placements");
+    return on_threads_up_to(wanted.threads, [&] { state->placed->closest(list, results, request); });
+  }
+  if (state->placed) return trace_by(*state->placed);
+  const ResidentTracer& tracer = *state->tracer;
+  if (loop == MASU_LOOP_AUTO && state->grid && tracer.device() == Device::cuda && !is_of_places &&
+      !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
                        ? automatic_loop(tracer, list, request.query, request.tracing.precision)
                        : state->loops->of(tracer, wanted.coherent != 0, count);
-  if (place == host_memory) {
-    on_threads_up_to(wanted.threads, [&] { tracer.trace(list, results, request); });
-    return;
-  }
-  const std::vector<int>& gpus = tracer.gpus();
-  if (std::ranges::count(gpus, place) == 0)
-    fail(is_of_places ? "places" : "rays",
-         fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
-                     gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
-  tracer.trace_on_device(list, results, request, wanted.stream, place);
+  trace_by(tracer);
 }
 
 // Queries whose results are one array, a number for each ray.
@@ -263,15 +278,30 @@ Vertices vertices_of(const masu_vertices& given, const SceneVertices& scene) {
   return vertices;
 }
 
+PlacementMoves moves_of(const masu_transforms& given) {
+  if (given.count > 0 && given.values == nullptr) require(given.values64, "transforms");
+  if (given.values != nullptr && given.values64 != nullptr)
+    fail("transforms", "are given twice: as float and as double");
+  const PlacementMoves moves{given.values, given.values64, given.count, given.indices, given.square != 0};
+  const std::size_t number = given.values != nullptr ? sizeof(float) : sizeof(double);
+  if (reinterpret_cast<std::uintptr_t>(moves.numbers()) % number != 0 ||
+      reinterpret_cast<std::uintptr_t>(moves.indices) % sizeof(std::uint32_t) != 0)
+    fail("transforms", "aren't aligned as their numbers must be");
+  for (const void* const array : {moves.numbers(), static_cast<const void*>(moves.indices)})
+    if (const int place = array != nullptr ? device_of(array) : host_memory; place != host_memory)
+      wait_for_stream(given.stream, place);
+  return moves;
+}
+
 // Refitted where the tracer traces; where that can't be, built anew in host memory.
 std::shared_ptr<const State> moved(const State& before, const Vertices& vertices) {
-  if (before.tracer.device() == Device::cuda) {
-    if (std::optional<ResidentTracer> tracer = before.tracer.moved(vertices))
+  if (before.tracer->device() == Device::cuda) {
+    if (std::optional<ResidentTracer> tracer = before.tracer->moved(vertices))
       return std::make_shared<const State>(before, *std::move(tracer));
   }
   auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));
   auto grid = std::make_shared<const StructureFile>(refitted_grid(*before.grid, *scene));
-  return std::make_shared<const State>(std::move(scene), std::move(grid), before.tracer.gpus());
+  return std::make_shared<const State>(std::move(scene), std::move(grid), before.tracer->gpus());
 }
 
 } // namespace
@@ -306,12 +336,19 @@ masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
     for (const int gpu : gpus)
       require_gpu(gpu);
     GoOn go_on(wanted.go_on, wanted.user);
+    if (scene->placed != nullptr) {
+      if (grid != nullptr) fail("grid", "isn't used for placed meshes: a hierarchy is built of each");
+      return std::make_unique<masu_tracer>(
+          scene->vertices, std::make_shared<const State>(PlacedTracer(
+                               scene->placed, choice<HierarchyQuality>(wanted.quality, 2, "quality"),
+                               wanted.brute_force != 0, gpus, go_on.progress())));
+    }
     std::shared_ptr<const StructureFile> file;
     if (grid != nullptr)
       file = grid->file;
     else if (wanted.brute_force == 0)
       file = std::make_shared<const StructureFile>(
-          soonest(*scene->file, gpus.empty() ? MASU_CPU : gpus.front(), go_on.progress()));
+          soonest(scene->as_file(), gpus.empty() ? MASU_CPU : gpus.front(), go_on.progress()));
     return std::make_unique<masu_tracer>(scene->vertices,
                                          std::make_shared<const State>(scene->file, std::move(file), gpus));
   });
@@ -332,10 +369,24 @@ masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertice
     const masu_vertices given = taken(vertices, "masu_vertices");
     const std::lock_guard lock(tracer->update);
     const auto before = tracer->state();
+    if (before->placed) fail("tracer", "is of placed meshes: masu_tracer_place() moves them");
     require_hierarchy(before->grid.get());
     // Isolated, or a thread that waits might take another task of the program that updates.
     tbb::this_task_arena::isolate(
         [&] { tracer->set_state(moved(*before, vertices_of(given, *tracer->vertices))); });
+  });
+}
+
+masu_status masu_tracer_place(masu_tracer* tracer, const masu_transforms* transforms) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    const masu_transforms given = taken(transforms, "masu_transforms");
+    const std::lock_guard lock(tracer->update);
+    const auto before = tracer->state();
+    if (!before->placed) fail("tracer", "has no placements: masu_tracer_update() moves vertices");
+    const PlacementMoves moves = moves_of(given);
+    tbb::this_task_arena::isolate(
+        [&] { tracer->set_state(std::make_shared<const State>(before->placed->moved(moves))); });
   });
 }
 
@@ -401,8 +452,10 @@ masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t c
   return guarded([&] {
     require(tracer, "tracer");
     const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
-    if (filters_of(wanted).any())
-      fail("masu_query", "has exclude or masks: winding numbers are of all triangles");
+    if (filters_of(wanted).any() || PlacedFilters{wanted.exclude_objects, wanted.worlds}.any())
+      fail("masu_query", "has exclude, masks or worlds: winding numbers are of all triangles");
+    if (tracer->state()->placed)
+      fail("tracer", "the scene has placements: winding numbers are of scenes without them");
     require_range(bound, 0, 1, "bound");
     RayList list(places, count, place_format(wanted));
     if (count == 0) return;

@@ -105,6 +105,21 @@ typedef enum masu_store {
   MASU_STORE_FLOAT64 = 2
 } masu_store;
 
+/* A mesh where it is in the world: vertices are M v + t, by an fma for each column from the last one on:
+ * fma(M0, x, fma(M1, y, fma(M2, z, t))), in the arithmetic of the scene's store, to which v, M and t are
+ * rounded first, t after the scene's origin is taken from it. M may be any matrix with an inverse, mirrors
+ * too. */
+typedef struct masu_placement {
+  size_t size;
+  double transform[12]; /* rows of M, each followed by its number of t */
+  uint32_t mesh;        /* the number of a mesh */
+  uint32_t mask;        /* of what hits it (masu_query): 0 means all bits */
+  uint32_t world;       /* of the rays that see it, below 2^20; MASU_EVERY_WORLD: of all */
+  uint32_t reserved;
+} masu_placement;
+
+#define MASU_EVERY_WORLD UINT32_MAX
+
 typedef struct masu_geometry {
   size_t size;
   const masu_mesh* meshes;
@@ -118,8 +133,10 @@ typedef struct masu_geometry {
   const double* origin;
   masu_store store;
   int reserved;
-  masu_go_on go_on; /* NULL: to its end */
-  void* user;       /* for go_on */
+  masu_go_on go_on;                 /* NULL: to its end */
+  void* user;                       /* for go_on */
+  const masu_placement* placements; /* none: each mesh stands once as it is */
+  size_t placement_count;
 } masu_geometry;
 
 /* Copies what the arrays hold, which may lie in host memory or a GPU's (colors and the origin in the host's),
@@ -127,6 +144,19 @@ typedef struct masu_geometry {
  * then spheres, then cones, and so are objects. Triangles of which two corners are one point are kept, for
  * the numbers' sake, and can't be hit. Camera and lights are automatic ones, for gridrender. */
 MASU_API masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene);
+
+/* Placed meshes. Each mesh is stored once, and a hierarchy of it is built once, however often it is placed;
+ * what placements change is the hierarchy above them, by masu_tracer_place(). Spheres and cones stand beside
+ * them. Hits are those of a scene of this store that has all placed vertices written out, relative to this
+ * scene's origin as the rays are, to the bit, whatever the structure; there may be as many triangles, each
+ * counted as often as it is placed, as such a scene may hold, 2^31 - 1. They are named differently: an object
+ * is a placement's number, and from placement_count on one of the arrays of spheres and cones; a primitive
+ * the triangle's number within its mesh, or that of a sphere or cone among them. Of hits at the same t the
+ * lowest of both comes first.
+ *
+ * Such a scene isn't written, and no grid is built of it. MASU_STORE_AUTO is float32. The origin's default is
+ * that of the boxes around what is placed, as are the described bounds and error_bound; triangles and bytes
+ * are those that are stored. */
 
 /* Reads and checks a scene file, of these functions or of nff2bin and mesh2bin. What happens to the file
  * afterwards changes nothing; one that is written while it is read is an error (MASU_ERROR_INPUT). */
@@ -285,9 +315,9 @@ typedef struct masu_tracer_options {
   const int* gpus;
   size_t gpu_count;
   int brute_force; /* not 0: without a grid every ray is tested against every primitive, for comparison */
-  int reserved;
-  masu_go_on go_on; /* of the build where there is no grid; NULL: to its end */
-  void* user;       /* for go_on */
+  masu_quality quality; /* of the hierarchies of placed meshes */
+  masu_go_on go_on;     /* of the build where there is no grid; NULL: to its end */
+  void* user;           /* for go_on */
 } masu_tracer_options;
 
 /* `grid` must be of the scene's geometry. Where it is NULL, what answers soonest is built on the first
@@ -319,6 +349,25 @@ typedef struct masu_vertices {
  * After an error the tracer is as it was: MASU_ERROR_USAGE for a tracer without a hierarchy, another number
  * of vertices, coordinates that aren't finite or that the scene's store doesn't hold. */
 MASU_API masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertices);
+
+/* Where placements are now. */
+typedef struct masu_transforms {
+  size_t size;
+  const float* values;     /* 12 each, as masu_placement has them; or */
+  const double* values64;  /* the same */
+  size_t count;            /* all of the scene's; or as many as there are indices */
+  const uint32_t* indices; /* of each the placement's number, of one that is there twice the last counts;
+                              NULL: in their order */
+  int square;              /* not 0: 16 each, of which the last four aren't read */
+  int reserved;
+  void* stream; /* cudaStream_t that writes those in device memory; NULL: the default stream */
+} masu_transforms;
+
+/* Moves placements of the tracer's scene; as masu_tracer_update() it is of this tracer alone, queries are of
+ * before or after, and after an error the tracer is as it was: MASU_ERROR_USAGE for another number of
+ * transforms, one without an inverse or that scales by more than 2^40 or its inverse does, and what reaches
+ * too far. */
+MASU_API masu_status masu_tracer_place(masu_tracer* tracer, const masu_transforms* transforms);
 
 /* What a tracer traces through, given or built. An error for brute force; of a tracer that was moved on a
  * GPU, what it was before. */
@@ -396,6 +445,12 @@ typedef struct masu_query {
   int reserved;
   masu_go_on go_on; /* NULL: to its end */
   void* user;       /* for go_on */
+  /* Of placed meshes alone, where the rays are. exclude_objects: of each ray the object whose primitive
+   * `exclude` is, both or neither. worlds: the one that a ray is in, of whose placements it hits those of its
+   * world and of every world; NULL: 0. With ray_masks alone the placements' own masks count; with
+   * object_masks both. */
+  const uint32_t* exclude_objects;
+  const uint32_t* worlds;
 } masu_query;
 
 #define MASU_NONE UINT32_MAX
@@ -489,8 +544,8 @@ MASU_API masu_status masu_inside(const masu_tracer* tracer, const void* rays, si
  * nothing for the number is NaN. On the surface it may be that of either side.
  *
  * On the CPU, wherever the tracer is, and the same with any number of threads; with another hierarchy numbers
- * differ within the bound. MASU_ERROR_USAGE where the scene has spheres or cones, with exclude and masks, and
- * by a tracer that was moved on a GPU. */
+ * differ within the bound. MASU_ERROR_USAGE where the scene has spheres, cones or placements, with exclude
+ * and masks, and by a tracer that was moved on a GPU. */
 MASU_API masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t count,
                                   const masu_query* query, double bound, double* winding, uint8_t* inside);
 
@@ -504,7 +559,8 @@ MASU_API masu_status masu_winding(const masu_tracer* tracer, const void* places,
  * Places and results lie where rays and results may, and are queued likewise (masu_nearest()). Of the query,
  * exclude and masks say what isn't looked for; `threads`, `relative` and `stream` are as for rays. All is
  * computed in double: off by some roundings of the largest coordinate. Where the tracer's grid isn't a
- * hierarchy, the first call builds one, and on GPUs puts the scene there once more. */
+ * hierarchy, the first call builds one, and on GPUs puts the scene there once more. Of placed meshes all is
+ * in host memory and computed on the CPU, and not once they have moved on a GPU. */
 MASU_API masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t count,
                                   const masu_query* query, const masu_hits* hits, double* points);
 

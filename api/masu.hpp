@@ -3,6 +3,7 @@
 
 #include "masu.h"
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -105,11 +106,23 @@ masu_vertices moved_to(const V& vertices) {
   return moved;
 }
 
+// A mesh where it is: rows of M, each followed by its number of t.
+inline masu_placement placement(std::uint32_t mesh, const std::array<double, 12>& transform,
+                                std::uint32_t world = 0, std::uint32_t mask = 0) {
+  auto placement = sized<masu_placement>();
+  std::ranges::copy(transform, placement.transform);
+  placement.mesh = mesh;
+  placement.mask = mask;
+  placement.world = world;
+  return placement;
+}
+
 class Scene {
 public:
   explicit Scene(const masu_geometry& geometry)
       : Scene(made<masu_scene>([&](masu_scene** scene) { return masu_scene_create(&geometry, scene); })) {}
-  explicit Scene(std::span<const masu_mesh> meshes) : Scene(geometry_of(meshes)) {}
+  explicit Scene(std::span<const masu_mesh> meshes, std::span<const masu_placement> placements = {})
+      : Scene(geometry_of(meshes, placements)) {}
   template <Vertices V, NumbersOf<std::uint32_t> Indices>
   Scene(const V& vertices, const Indices& indices) : Scene(std::array{mesh(vertices, indices)}) {}
   static Scene read(const std::string& path) {
@@ -138,10 +151,13 @@ public:
 
 private:
   explicit Scene(masu_scene* scene) : handle_(scene) {}
-  static masu_geometry geometry_of(std::span<const masu_mesh> meshes) {
+  static masu_geometry geometry_of(std::span<const masu_mesh> meshes,
+                                   std::span<const masu_placement> placements) {
     auto geometry = sized<masu_geometry>();
     geometry.meshes = meshes.data();
     geometry.mesh_count = meshes.size();
+    geometry.placements = placements.data();
+    geometry.placement_count = placements.size();
     return geometry;
   }
 
@@ -208,8 +224,10 @@ struct QueryOptions {
   std::span<const std::uint32_t> object_masks{}; // bits for each object of the scene; none: all are hit
   const std::uint32_t* ray_masks = nullptr;      // bits for each ray; null: all bits
   masu_loop loop = MASU_LOOP_AUTO;
-  masu_go_on go_on = nullptr; // whether to go on (masu.h)
-  void* user = nullptr;       // for go_on
+  masu_go_on go_on = nullptr;                     // whether to go on (masu.h)
+  void* user = nullptr;                           // for go_on
+  const std::uint32_t* exclude_objects = nullptr; // of placed meshes: the objects of those in `exclude`
+  const std::uint32_t* worlds = nullptr;          // of placed meshes: each ray's; null: 0
 };
 
 // The hits of rays in host memory.
@@ -375,6 +393,22 @@ public:
     update(moved_to(vertices));
   }
 
+  // Moves its scene's placements (masu_tracer_place): all of them, or those of the indices.
+  void place(const masu_transforms& transforms) { check(masu_tracer_place(handle_.get(), &transforms)); }
+  template <class Number>
+  requires std::same_as<Number, float> || std::same_as<Number, double>
+  void place(std::span<const std::array<Number, 12>> moved, std::span<const std::uint32_t> indices = {}) {
+    auto transforms = sized<masu_transforms>();
+    const void* const numbers = moved.data();
+    if constexpr (std::same_as<Number, float>)
+      transforms.values = static_cast<const float*>(numbers);
+    else
+      transforms.values64 = static_cast<const double*>(numbers);
+    transforms.count = moved.size();
+    transforms.indices = indices.data();
+    place(transforms);
+  }
+
   masu_tracer* get() const { return handle_.get(); }
 
 private:
@@ -399,6 +433,8 @@ private:
     query.loop = options.loop;
     query.go_on = options.go_on;
     query.user = options.user;
+    query.exclude_objects = options.exclude_objects;
+    query.worlds = options.worlds;
     return query;
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/file/structure_file.h"
+#include "libgrid/placed/placed_scene.h"
 #include "libscene/base/host_array.h"
 #include "libscene/file/scene_file.h"
 #include "masu.h"
@@ -22,8 +23,12 @@ struct SceneVertices {
 
 // All are shared with the tracers that use them, so that handles may be freed in any order.
 struct masu_scene {
-  std::shared_ptr<const masu::SceneFile> file; // in memory
+  std::shared_ptr<const masu::SceneFile> file; // in memory; or
+  std::shared_ptr<const masu::PlacedScene> placed;
   std::shared_ptr<const masu::SceneVertices> vertices;
+
+  // Throws Error(usage, "scene", …) for placed meshes, which aren't a file.
+  const masu::SceneFile& as_file() const;
 };
 struct masu_grid {
   std::shared_ptr<const masu::StructureFile> file; // in memory

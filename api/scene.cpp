@@ -14,6 +14,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -79,9 +80,69 @@ std::vector<PrimitiveArray<Primitive>> arrays_of(const masu_quadrics* given, std
   return arrays;
 }
 
+std::shared_ptr<const SceneFile> shared(SceneFile file) {
+  return std::make_shared<const SceneFile>(std::move(file));
+}
 std::unique_ptr<masu_scene> held(SceneFile file, SceneVertices vertices) {
-  return std::make_unique<masu_scene>(masu_scene{std::make_shared<const SceneFile>(std::move(file)),
+  return std::make_unique<masu_scene>(masu_scene{shared(std::move(file)), nullptr,
                                                  std::make_shared<const SceneVertices>(std::move(vertices))});
+}
+
+// Made of the meshes, and of what stands beside them.
+std::unique_ptr<masu_scene> placed(const masu_geometry& given, std::span<const IndexedMesh> meshes,
+                                   const ArrayScene& beside, Store store, const std::optional<Vec3d>& origin,
+                                   const ProgressMonitor* progress) {
+  if (store == Store::automatic) store = Store::float32;
+  constexpr Vec3d zero{0, 0, 0};
+  auto scene = std::make_shared<PlacedScene>(PlacedScene{
+      shared(scene_in_memory(scene_of(meshes, {}, {}, progress), store, zero, progress)), nullptr});
+  scene->mesh_triangles.push_back(0);
+  for (const IndexedMesh& mesh : meshes)
+    scene->mesh_triangles.push_back(scene->mesh_triangles.back() +
+                                    static_cast<std::uint32_t>(mesh.triangles));
+  for_each_taken(given.placements, given.placement_count, "masu_placement",
+                 [&](const masu_placement& placement) {
+                   scene->mesh.push_back(placement.mesh);
+                   scene->mask.push_back(placement.mask != 0 ? placement.mask : ~0U);
+                   scene->world.push_back(placement.world);
+                   static_assert(sizeof(Transform) == sizeof placement.transform);
+                   std::memcpy(&scene->transforms.emplace_back(), placement.transform, sizeof(Transform));
+                 });
+  scene->first_triangles = placed_triangles(*scene, beside.spheres.size() + beside.cones.size());
+  const Boxd box = join(scene->box(zero), bounds(beside));
+  scene->beside = shared(
+      scene_in_memory(beside, store, origin_for(beside, origin ? origin : automatic_origin(box)), progress));
+  return std::make_unique<masu_scene>(
+      masu_scene{nullptr, std::move(scene), std::make_shared<const SceneVertices>()});
+}
+
+masu_scene_description described(const PlacedScene& scene) {
+  masu_scene_description described{};
+  scene.meshes->with_view([&](const auto& view) { described.triangles = view.triangle_count; });
+  scene.beside->with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    described.spheres = view.sphere_count;
+    described.cones = view.cone_count;
+    const Boxd box = join(scene.box(scene.origin()), scene.beside->bounds());
+    described.error_bound = is_empty(box) ? 0 : rounding_margin<Stored>(box);
+  });
+  described.materials =
+      static_cast<std::uint32_t>(scene.meshes->counts().materials + scene.beside->counts().materials);
+  described.objects = scene.objects();
+  described.bytes = scene.meshes->bytes() + scene.beside->bytes();
+  return described;
+}
+masu_scene_description described(const SceneFile& file) {
+  masu_scene_description described{};
+  file.with_view([&](const auto& view) {
+    described.triangles = view.triangle_count;
+    described.spheres = view.sphere_count;
+    described.cones = view.cone_count;
+  });
+  described.materials = static_cast<std::uint32_t>(file.counts().materials);
+  described.objects = file.counts().objects;
+  described.error_bound = error_bound(file, Precision::automatic);
+  described.bytes = file.bytes();
+  return described;
 }
 
 // Where all meshes' vertices are one list. Of checked meshes.
@@ -144,6 +205,11 @@ SceneFile moved_scene(const SceneFile& scene, const Vertices& vertices) {
 
 } // namespace masu
 
+const SceneFile& masu_scene::as_file() const {
+  if (file == nullptr) fail("scene", "is of placed meshes, in memory alone: write it out as one of vertices");
+  return *file;
+}
+
 extern "C" {
 
 masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene) {
@@ -159,10 +225,11 @@ masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene)
     const auto store = choice<Store>(given.store, 3, "store");
     GoOn go_on(given.go_on, given.user);
     const ProgressMonitor progress(go_on.progress());
-    SceneFile file = scene_in_memory(
-        scene_of(meshes, arrays_of<Sphere<double>>(given.spheres, given.sphere_count, 4, "spheres", copies),
-                 arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones", copies), &progress),
-        store, origin, &progress);
+    const auto spheres = arrays_of<Sphere<double>>(given.spheres, given.sphere_count, 4, "spheres", copies);
+    const auto cones = arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones", copies);
+    if (given.placement_count > 0)
+      return placed(given, meshes, scene_of({}, spheres, cones), store, origin, &progress);
+    SceneFile file = scene_in_memory(scene_of(meshes, spheres, cones, &progress), store, origin, &progress);
     progress.check();
     return held(std::move(file), vertices_of(meshes));
   });
@@ -183,7 +250,7 @@ masu_status masu_scene_write(const masu_scene* scene, const char* path) {
   return guarded([&] {
     require(scene, "scene");
     require(path, "path");
-    scene->file->write(path);
+    scene->as_file().write(path);
   });
 }
 
@@ -194,36 +261,30 @@ void masu_scene_free(masu_scene* scene) {
 masu_status masu_scene_describe(const masu_scene* scene, masu_scene_description* description) {
   return guarded([&] {
     require(scene, "scene");
-    const SceneFile& file = *scene->file;
-    masu_scene_description described{};
-    file.with_view([&](const auto& view) {
-      described.triangles = view.triangle_count;
-      described.spheres = view.sphere_count;
-      described.cones = view.cone_count;
-    });
-    described.materials = static_cast<std::uint32_t>(file.counts().materials);
-    described.objects = file.counts().objects;
+    const PlacedScene* const placed = scene->placed.get();
+    const SceneFile& file = placed != nullptr ? *placed->beside : *scene->file;
+    masu_scene_description about = placed != nullptr ? described(*placed) : described(file);
     const Vec3d origin = file.origin();
-    const Boxd box = in_world(origin, file.bounds());
+    const Boxd bounds = placed != nullptr ? join(placed->box(origin), file.bounds()) : file.bounds();
+    const Boxd box = in_world(origin, bounds);
     for (int axis = 0; axis < 3; ++axis) {
-      described.origin[axis] = origin[axis];
-      described.bounds_min[axis] = box.min[axis];
-      described.bounds_max[axis] = box.max[axis];
+      about.origin[axis] = origin[axis];
+      about.bounds_min[axis] = box.min[axis];
+      about.bounds_max[axis] = box.max[axis];
     }
-    described.error_bound = error_bound(file, Precision::automatic);
-    described.bytes = file.bytes();
-    described.is_float64 = file.is_float64() ? 1 : 0;
-    give(described, description, "masu_scene_description");
+    about.is_float64 = file.is_float64() ? 1 : 0;
+    give(about, description, "masu_scene_description");
   });
 }
 
 masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_primitive* primitive) {
   return guarded([&] {
     require(scene, "scene");
-    const std::uint64_t count = scene->file->primitive_count();
+    const SceneFile& file = scene->as_file();
+    const std::uint64_t count = file.primitive_count();
     if (index >= count)
       fail("index", fmt::format("{} isn't below {}, the number of primitives", index, count));
-    scene->file->with_view([&](const auto& view) {
+    file.with_view([&](const auto& view) {
       const Surface surface = surface_of(view, index);
       const Material& m = view.materials[surface.material];
       give(masu_primitive{sizeof(masu_primitive),
@@ -247,7 +308,7 @@ masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_p
 masu_status masu_scene_check(const masu_scene* scene, masu_mesh_check* check) {
   return guarded([&] {
     require(scene, "scene");
-    const MeshCheck found = scene->file->with_view([](const auto& view) { return check_mesh(view); });
+    const MeshCheck found = scene->as_file().with_view([](const auto& view) { return check_mesh(view); });
     give(masu_mesh_check{sizeof(masu_mesh_check), found.points, found.edges, faults_of(found.open),
                          faults_of(found.inconsistent), faults_of(found.nonmanifold),
                          faults_of(found.no_area), faults_of(found.duplicates)},

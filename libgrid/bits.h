@@ -17,6 +17,14 @@ MASU_HD inline std::uint32_t count_bits(std::uint32_t bits) {
 #endif
 }
 
+MASU_HD inline std::int32_t leading_zeros(std::uint64_t bits) {
+#ifdef __CUDA_ARCH__
+  return __clzll(static_cast<long long>(bits));
+#else
+  return std::countl_zero(bits);
+#endif
+}
+
 // `bits` with the highest `count` bits of `from` after them; 0 ≤ count < 32.
 MASU_HD inline std::uint32_t appended(std::uint32_t bits, std::uint32_t from, std::int32_t count) {
 #ifdef __CUDA_ARCH__

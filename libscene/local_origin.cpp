@@ -18,13 +18,8 @@ struct PointBox {
   Boxd operator()(const Cone<double>& c) const { return join(Boxd{c.base, c.base}, c.apex); }
 };
 
-} // namespace
-
-template <class Triangles>
-Vec3d automatic_origin(const SceneOf<Triangles>& scene) {
-  const Vec3d corner = joined_boxes(scene, PointBox{}).min;
-  const Boxd box = joined_boxes(
-      scene, [&](const auto& record) { return bounds(relative_to(corner, record)); }); // of its kind
+// Of a box relative to a corner.
+Vec3d automatic_origin(const Vec3d& corner, const Boxd& box) {
   const Vec3d half = (box.max - box.min) * 0.5;
   const double reach = largest_magnitude(half);
   // A scene of one point stays where it is: at zero no store could hold it.
@@ -35,6 +30,19 @@ Vec3d automatic_origin(const SceneOf<Triangles>& scene) {
   const double step = std::ldexp(1.0, std::ilogb(reach) - 8);
   const auto rounded = [&](double value) { return std::floor(value / step) * step; };
   return corner + Vec3d{rounded(center.x), rounded(center.y), rounded(center.z)};
+}
+
+} // namespace
+
+template <class Triangles>
+Vec3d automatic_origin(const SceneOf<Triangles>& scene) {
+  const Vec3d corner = joined_boxes(scene, PointBox{}).min;
+  return automatic_origin(corner, joined_boxes(scene, [&](const auto& record) {
+                            return bounds(relative_to(corner, record)); // of its kind
+                          }));
+}
+Vec3d automatic_origin(const Boxd& box) {
+  return is_empty(box) ? Vec3d{0, 0, 0} : automatic_origin(box.min, relative_to(box.min, box));
 }
 
 template <class Triangles>

@@ -22,6 +22,8 @@ inline constexpr double max_origin = 1e100;
 // coordinates have so many steps.
 template <class Triangles>
 Vec3d automatic_origin(const SceneOf<Triangles>& scene);
+// The same of what is in a box.
+Vec3d automatic_origin(const Boxd& box);
 
 // Automatic where `wanted` isn't given. Throws Error(usage, place, …) for one that isn't finite or lies
 // beyond max_origin.

@@ -13,10 +13,14 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <span>
 
 namespace masu {
 
 struct DeviceFiles; // a scene and its structure in a GPU's memory
+template <class Stored>
+struct PlacedOnHost;
+struct PlacementMoves;
 
 // Where a frame keeps its costs.
 inline RayCosts costs_of(Frame& frame) {
@@ -55,6 +59,10 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, con
 // ResidentTracer::moved() on a device, of a scene of that origin: null where it returns none.
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,
                                                     const Vertices& vertices);
+// Placed meshes (placed_tracer.h), of either store, at first and moved, on a device.
+template <class Stored>
+std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<Stored>& host, int device);
+std::shared_ptr<const DeviceFiles> placed_files_cuda(const DeviceFiles& files, const PlacementMoves& moves);
 // The kinds of primitives in them (with_triangles, …).
 unsigned kinds_on(const DeviceFiles& files);
 
@@ -76,6 +84,9 @@ inline double share_of_pieces(std::size_t pieces, const RayList& rays, const Ray
 // Of rays in host memory: the pieces of a list that it takes from a counter, which devices share.
 QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const RayResults& results,
                             const RaysRequest& request, std::atomic<std::size_t>& next_piece);
+// The same by all of these devices.
+QueryReport trace_by_gpus(std::span<const std::shared_ptr<const DeviceFiles>> files, const RayList& rays,
+                          const RayResults& results, const RaysRequest& request);
 // Of rays in device memory: puts the query on a stream; or times it.
 QueryReport launch_rays_cuda(const DeviceFiles& files, const RayList& rays, const RayResults& results,
                              const RaysRequest& request, void* stream);

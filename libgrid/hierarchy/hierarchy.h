@@ -54,7 +54,7 @@ MASU_HD inline std::uint32_t references_in(std::uint32_t slot) {
 }
 
 // Of a slot that holds something, relative to the scene's origin.
-inline Boxd box_of(const HierarchyNode& node, int slot) {
+MASU_HD inline Boxd box_of(const HierarchyNode& node, int slot) {
   Boxd box{};
   for (int axis = 0; axis < 3; ++axis) {
     const double unit = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 0xff) - 127);

@@ -40,9 +40,9 @@ struct MortonCurve {
   Vec3d origin;
   double step; // from place to place
 
-  explicit MortonCurve(const Boxd& space) : origin(space.min) {
+  MASU_HD explicit MortonCurve(const Boxd& space) : origin(space.min) {
     const Vec3d extent = space.max - space.min;
-    step = std::max({extent.x, extent.y, extent.z}) / places;
+    step = max(max(extent.x, extent.y), extent.z) / places;
   }
   MASU_HD std::uint32_t place(double at, int axis) const {
     const double steps = (at - origin[axis]) / step;

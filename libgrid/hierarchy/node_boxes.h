@@ -45,8 +45,11 @@ public:
       // No smaller than the origin's rounding.
       const double least = std::max(extent / units, std::abs(low) * 0x1p-22);
       const int exponent = std::clamp(std::ilogb(std::max(least, 0x1p-100)) + 1, -100, 100);
-      unit_[axis] = std::ldexp(1.0, exponent);
-      node.origin[axis] = rounded_down(low - units_before * unit_[axis]);
+      const auto power = [](int of_two) {
+        return static_cast<double>(float_of(static_cast<std::uint32_t>(of_two + 127) << 23));
+      };
+      per_unit_[axis] = power(-exponent);
+      node.origin[axis] = rounded_down(low - units_before * power(exponent));
       exponents |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
     }
     node.exponents = (node.exponents & ~0xffffffU) | exponents;
@@ -56,8 +59,8 @@ public:
     const int shift = slot % 4 * 8;
     for (int axis = 0; axis < 3; ++axis) {
       const double origin = node.origin[axis];
-      const double low = std::floor((box.min[axis] - origin) / unit_[axis] - slack),
-                   high = std::ceil((box.max[axis] - origin) / unit_[axis] + slack);
+      const double low = std::floor((box.min[axis] - origin) * per_unit_[axis] - slack),
+                   high = std::ceil((box.max[axis] - origin) * per_unit_[axis] + slack);
       node.low[axis][slot / 4] |= static_cast<std::uint32_t>(low) << shift;
       node.high[axis][slot / 4] |= static_cast<std::uint32_t>(high) << shift;
     }
@@ -68,7 +71,7 @@ private:
   // Larger by this many units than what they hold: walk/boxes.h says why.
   static constexpr double slack = 1.0 / 64;
 
-  double unit_[3];
+  double per_unit_[3]; // one through it, of a power of two exactly
 };
 
 } // namespace masu

@@ -38,20 +38,9 @@ struct ClosestSearch {
     keep(leaf.primitive(), leaf);
   }
 
-private:
-  // `from` has the primitive's record: SceneRecord or Leaf.
-  template <class From>
-  MASU_HD void keep(PrimitiveIndex number, const From& from) {
-    if (!filter.admits(scene, number)) return;
-    if (number < scene.triangle_count)
-      keep_closer(number, widened(from.triangle()));
-    else if (number - scene.triangle_count < scene.sphere_count)
-      keep_closer(number, widened(from.sphere()));
-    else
-      keep_closer(number, widened(from.cone()));
-  }
+  // The primitive of that number, which is admitted.
   template <class Primitive>
-  MASU_HD void keep_closer(PrimitiveIndex number, const Primitive& primitive) {
+  MASU_HD void offer(PrimitiveIndex number, const Primitive& primitive) {
     if (!has_surface(primitive)) return;
     const ClosestPoint closest = closest_point(primitive, place);
     const double best = found.closest.squared;
@@ -59,6 +48,19 @@ private:
     found = {closest, number};
     const double distance = std::sqrt(closest.squared) + slack;
     farthest = distance * distance;
+  }
+
+private:
+  // `from` has the primitive's record: SceneRecord or Leaf.
+  template <class From>
+  MASU_HD void keep(PrimitiveIndex number, const From& from) {
+    if (!filter.admits(scene, number)) return;
+    if (number < scene.triangle_count)
+      offer(number, widened(from.triangle()));
+    else if (number - scene.triangle_count < scene.sphere_count)
+      offer(number, widened(from.sphere()));
+    else
+      offer(number, widened(from.cone()));
   }
 };
 
@@ -106,15 +108,23 @@ MASU_HD inline std::uint32_t slots_in_order(const HierarchyNode& node, const Vec
   return slots;
 }
 
-// Depth first, of each node the nearest boxes first. A level takes two numbers: a device keeps all levels for
+// Whether a node isn't one, but what is below it was shown (libgrid/placed/placed_closest.h).
+template <class Hierarchy, class Search>
+MASU_HD constexpr bool show_item(const Hierarchy&, std::uint32_t, Search&) {
+  return false;
+}
+
+// Depth first from a node on, of each node the nearest boxes first; by whatever has `place`, `farthest`, and
+// what references are shown to (hierarchy_walk.h). A level takes two numbers: a device keeps all levels for
 // each of its threads.
-template <class Hierarchy, class Stored>
-MASU_HD inline void search(const Hierarchy& hierarchy, ClosestSearch<Stored>& search) {
+template <class Hierarchy, class Search>
+MASU_HD inline void search(const Hierarchy& hierarchy, Search& search, std::uint32_t root = 0) {
+  if (show_item(hierarchy, root, search)) return;
   struct Level {
     std::uint32_t node, slots;
   };
   Level levels[max_hierarchy_depth];
-  levels[0] = {0, slots_in_order(hierarchy.nodes[0], search.place, search.farthest)};
+  levels[0] = {root, slots_in_order(hierarchy.nodes[root], search.place, search.farthest)};
   for (int depth = 0; depth >= 0;) {
     Level& level = levels[depth];
     const HierarchyNode& node = hierarchy.nodes[level.node];
@@ -133,6 +143,7 @@ MASU_HD inline void search(const Hierarchy& hierarchy, ClosestSearch<Stored>& se
         show(hierarchy, i, search);
     } else if (depth + 1 < max_hierarchy_depth) { // always, but while a mapped file changes
       const std::uint32_t child = node_in(node.first_node, nodes, slot);
+      if (show_item(hierarchy, child, search)) continue;
       levels[++depth] = {child, slots_in_order(hierarchy.nodes[child], search.place, search.farthest)};
     }
   }

@@ -124,6 +124,10 @@ struct NextHits {
     const Leaf<Stored> leaf = fetched(address);
     keep(leaf.primitive(), leaf);
   }
+  // Of a triangle whose object is known to be admitted.
+  MASU_HD void leaf(const Leaf<Stored>& leaf) {
+    if (leaf.primitive() != filter.excluded) keep_admitted(leaf.primitive(), leaf);
+  }
   MASU_HD Real farthest() const { return room.farthest(t_max); }
   MASU_HD bool done(Real exit) const { return farthest() <= exit; }
   MASU_HD bool ends() const { return false; }
@@ -132,6 +136,10 @@ private:
   template <class From>
   MASU_HD void keep(PrimitiveIndex number, const From& from) {
     if (!filter.admits(scene, number)) return;
+    keep_admitted(number, from);
+  }
+  template <class From>
+  MASU_HD void keep_admitted(PrimitiveIndex number, const From& from) {
     each_hit<M::kinds>(scene, ray, number, from, filter.edges, [&](Real t, bool front) {
       if (t < t_max && filter.admits(front)) room.keep({t, number << 1 | (front ? 0U : 1U)});
     });

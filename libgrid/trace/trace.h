@@ -86,8 +86,8 @@ struct NearestHit {
     }
   }
   // Of LeafHierarchyView.
-  MASU_HD void leaf(const Leaf<Stored>* address) {
-    const Leaf<Stored> leaf = fetched(address);
+  MASU_HD void leaf(const Leaf<Stored>* address) { leaf(fetched(address)); }
+  MASU_HD void leaf(const Leaf<Stored>& leaf) {
     const PrimitiveIndex number = leaf.primitive();
     Real t;
     if (intersect<M::kinds>(scene, ray, number, leaf, t_min, t, counts) && is_nearer(t, number, hit))
@@ -129,8 +129,10 @@ struct AnyHit {
     }
   }
   MASU_HD void leaf(const Leaf<Stored>* address) {
+    if (!found()) leaf(fetched(address));
+  }
+  MASU_HD void leaf(const Leaf<Stored>& leaf) {
     if (found()) return;
-    const Leaf<Stored> leaf = fetched(address);
     Real t;
     if (intersect<M::kinds>(scene, ray, leaf.primitive(), leaf, t_min, t, counts) && t < t_max) hit = t;
   }

@@ -1,4 +1,4 @@
-// What many threads do to a word at once, in any order (relaxed): one definition for host and device.
+// What many threads do to a word at once, in any order (relaxed, but for arrived()): one definition for host and device.
 #pragma once
 
 #include "libscene/base/portable.h"
@@ -27,6 +27,18 @@ MASU_HD inline std::uint32_t added(std::uint32_t& sum, std::uint32_t value) {
   return atomicAdd(&sum, value);
 #else
   return std::atomic_ref(sum).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
+// Counts who comes to where threads meet: how many came before, of whom all that they wrote before is seen.
+MASU_HD inline std::uint32_t arrived(std::uint32_t& count) {
+#ifdef __CUDA_ARCH__
+  __threadfence();
+  const std::uint32_t before = atomicAdd(&count, 1U);
+  __threadfence();
+  return before;
+#else
+  return std::atomic_ref(count).fetch_add(1, std::memory_order_acq_rel);
 #endif
 }
 

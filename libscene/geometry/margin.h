@@ -34,13 +34,13 @@ inline constexpr int margin_roundings = 128; // in units of u M
 
 // For arithmetic of type Real on primitives within `bounds` (not empty).
 template <class Real>
-inline double rounding_margin(const Boxd& bounds) {
+MASU_HD inline double rounding_margin(const Boxd& bounds) {
   return margin_roundings * static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
 }
 
 // The box that rays are clipped to and that a tight space divides. Not empty, even without primitives.
 template <class Real>
-inline Boxd padded_bounds(const Boxd& bounds) {
+MASU_HD inline Boxd padded_bounds(const Boxd& bounds) {
   if (is_empty(bounds)) return {{-1, -1, -1}, {1, 1, 1}};
   return grown(bounds, 2 * rounding_margin<Real>(bounds));
 }

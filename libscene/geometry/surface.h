@@ -194,20 +194,25 @@ MASU_HD inline SurfacePoint<typename TestRay::Real> surface_at(const SceneView<S
 }
 
 // A hit whose t is relative to the ray's own origin. That may be far away, and t then too inaccurate: the
-// intersection test is run again from where the ray enters the scene.
-template <class Real, class Stored>
+// intersection test is run again from where the ray enters the scene. record(): the primitive's.
+template <class Real, class Stored, class Record>
 MASU_HD inline NearHit<WatertightRay<Real>> hit_again(const SceneView<Stored>& scene, const Ray<Real>& ray,
-                                                      const Hit<Real>& hit) {
+                                                      const Hit<Real>& hit, const Record& record) {
   ClippedRay<Real> clipped{};
   clip(ray, cast<Real>(scene.clip), clipped);
   NearHit<WatertightRay<Real>> near{{}, {hit.t - clipped.skipped, hit.primitive}, clipped.skipped};
   prepare(near.ray, clipped.ray.origin, clipped.ray.direction);
   NoTestCounts counts;
   Real t;
-  const Leaf<Stored> record = leaf_of(scene, hit.primitive);
-  if (intersect<with_all_kinds>(scene, near.ray, hit.primitive, record, clipped.ray.t_min, t, counts))
+  const Leaf<Stored> from = record();
+  if (intersect<with_all_kinds>(scene, near.ray, hit.primitive, from, clipped.ray.t_min, t, counts))
     near.hit.t = t;
   return near;
+}
+template <class Real, class Stored>
+MASU_HD inline NearHit<WatertightRay<Real>> hit_again(const SceneView<Stored>& scene, const Ray<Real>& ray,
+                                                      const Hit<Real>& hit) {
+  return hit_again(scene, ray, hit, [&] { return leaf_of(scene, hit.primitive); });
 }
 
 } // namespace masu

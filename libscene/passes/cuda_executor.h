@@ -211,6 +211,18 @@ public:
     check(cudaMemcpy(&one, values.data() + i, sizeof(T), cudaMemcpyDeviceToHost));
     return one;
   }
+  template <class KeyOf>
+  Sorted<CudaExecutor, std::uint32_t> sorted(std::uint64_t count, int bits, const KeyOf& key_of) const {
+    Sorted<CudaExecutor, std::uint32_t> sorted{array<std::uint64_t>(count), array<std::uint32_t>(count)};
+    std::uint64_t* const keys = sorted.keys.data();
+    std::uint32_t* const values = sorted.values.data();
+    for_each(count, [=] MASU_PASS(std::uint64_t i) {
+      keys[i] = key_of(i);
+      values[i] = static_cast<std::uint32_t>(i);
+    });
+    sort(sorted.keys, sorted.values, bits);
+    return sorted;
+  }
   // Items are gone through in pieces of so many rows, so that threads share a large one.
   template <class Value, class Emit>
   std::optional<Sorted<CudaExecutor, Value>> emit_sorted(std::uint64_t count, int bits,

@@ -83,6 +83,14 @@ public:
     return values[i];
   }
 
+  template <class KeyOf>
+  Sorted<HostExecutor, std::uint32_t> sorted(std::uint64_t count, int bits, const KeyOf& key_of) const {
+    return *emit_sorted<std::uint32_t>(count, bits, count,
+                                       [&](std::uint64_t i, std::uint64_t, std::uint64_t, const auto& add) {
+                                         add(key_of(i), static_cast<std::uint32_t>(i));
+                                       });
+  }
+
   // Pairs go into buckets by the key's highest bits, and a bucket is sorted in the cache; buckets and chunks
   // of items don't depend on the number of threads. What a bucket leaves of a key fits in 32 bits: wider keys
   // make more buckets.

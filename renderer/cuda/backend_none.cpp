@@ -23,6 +23,15 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const Str
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles&, const Vec3d&, const Vertices&) {
   refuse();
 }
+template <class Stored>
+std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<Stored>&, int) {
+  refuse();
+}
+template std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<float>&, int);
+template std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<double>&, int);
+std::shared_ptr<const DeviceFiles> placed_files_cuda(const DeviceFiles&, const PlacementMoves&) {
+  refuse();
+}
 unsigned kinds_on(const DeviceFiles&) {
   refuse();
 }

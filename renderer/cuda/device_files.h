@@ -71,6 +71,22 @@ struct DeviceMemory {
   }
 };
 
+// An array on the device: where it lies, or copied there.
+template <class T>
+const T* on_device(const T* array, std::size_t count, const DeviceMemory& memory, DeviceArray<T>& copy) {
+  const int place = device_of(array);
+  if (place == memory.device || count == 0) return array;
+  Transfer upload(memory.pool);
+  DeviceArray<T> made = upload.room_for<T>(count);
+  if (place == host_memory)
+    upload.to_device(made.data(), array, count * sizeof(T));
+  else
+    check(cudaMemcpyPeer(made.data(), memory.device, array, place, count * sizeof(T)));
+  upload.run();
+  copy = std::move(made); // whole, or not at all
+  return copy.data();
+}
+
 // A scene and its structure, of either store: one of them.
 struct DeviceFiles {
   std::shared_ptr<DeviceMemory> memory;
@@ -103,7 +119,9 @@ struct DeviceFiles {
     });
   }
   bool are_counted(const TracingRules& rules) const {
-    return with_store([&](const auto& files) { return is_counted(files.structure.records, rules); });
+    return with_store([&](const auto& files) {
+      return files.placements == nullptr && is_counted(files.structure.records, rules);
+    });
   }
 };
 

@@ -107,6 +107,9 @@ struct CornerToLeaf {
   }
 };
 
+template <class Stored>
+struct PlacedOnDevice; // placed.h
+
 // A scene and its structure on the device.
 template <class Stored>
 struct DeviceFilesOf {
@@ -114,6 +117,8 @@ struct DeviceFilesOf {
   DeviceScene<Stored> scene;
   DeviceStructure structure;
   std::shared_ptr<KernelCache> kernels = std::make_shared<KernelCache>();
+  // In the structure's place, where meshes are placed; the scene is what stands beside them.
+  std::shared_ptr<const PlacedOnDevice<Stored>> placements;
 
   // For a hierarchy upload_leaves() is to follow.
   DeviceFilesOf(const SceneFile& host_scene, const StructureFile* host_structure, cudaMemPool_t pool,

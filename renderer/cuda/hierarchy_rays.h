@@ -27,9 +27,30 @@ inline constexpr unsigned rays_in_advance = 96, plenty_for_a_warp = 256;
 inline constexpr int max_rays_by_pairs = walks_in_use::lane_groups ? lanes_per_warp / 2 : 0,
                      max_rays_by_fours = max_rays_by_pairs / 2;
 
+// What a kernel needs to know of how rays walk through a hierarchy. Those through placed meshes walk another
+// way (placed_rays.h).
+template <class Hierarchy>
+struct WalksThrough {
+  template <class TestRay>
+  using Ray = WalkingRay<TestRay>;
+  template <class M>
+  static constexpr int threads_wanted = resident_threads_wanted<M>;
+  static constexpr int max_last_rays = max_rays_by_pairs; // which groups of lanes trace
+};
+template <class Hierarchy>
+__device__ inline const Hierarchy& seen_by_rays(const Hierarchy& hierarchy) {
+  return hierarchy;
+}
+
+// Where the list's rays begin with that of a number.
+template <class Hierarchy>
+const Hierarchy& from_ray(const Hierarchy& hierarchy, std::uint64_t) {
+  return hierarchy;
+}
+
 // Goes on with a ray by `advance`, which is given the visitor of its query; false at its end.
-template <Query query, class M, class Stored, class Advance>
-__device__ inline bool goes_on(const SceneView<Stored>& scene, WalkingRay<typename M::TestRay>& ray,
+template <Query query, class M, class Stored, class Walking, class Advance>
+__device__ inline bool goes_on(const SceneView<Stored>& scene, Walking& ray,
                                const RayEnds<typename M::Real>& end, const Advance& advance) {
   NoCounts counts;
   if constexpr (query == Query::nearest_hit) {
@@ -92,8 +113,9 @@ __device__ inline bool fetch_ray(const SceneView<Stored>& scene, const Ray<Real>
   end.number = number;
   return true;
 }
-template <class TestRay>
-__device__ inline void begin_ray(const ClippedRay<typename TestRay::Real>& near, WalkingRay<TestRay>& own) {
+template <class Hierarchy, class TestRay>
+__device__ inline void begin_ray(const Hierarchy&, const ClippedRay<typename TestRay::Real>& near,
+                                 std::uint32_t, WalkingRay<TestRay>& own, HierarchyStack&) {
   own.nearest = {near.ray.t_max, 0};
   prepare(own.test_ray, near.ray.origin, near.ray.direction);
   own.walk.begin(near);
@@ -134,7 +156,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   ClippedRay<typename M::Real> near{};
   const bool has_ray = fetch_ray<query>(scene, rays, count, number, results, end, near);
   if (!__any_sync(all_lanes, has_ray)) return;
-  if (has_ray) begin_ray(near, own);
+  if (has_ray) begin_ray(hierarchy, near, number, own, stack);
   bool under_way = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
     if constexpr (!walks_in_use::packet_begin) return has_ray;
     return begin_packet<max_packet_leaves<M>>(hierarchy, own.walk, stack, visitor, has_ray,
@@ -154,8 +176,9 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
 
 // Traces a list of rays, of which warps fetch the next ones for their idle lanes from `next_ray` on.
 template <Query query, class M, class Stored, class Hierarchy>
-__global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
-    refill_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
+__global__ void __launch_bounds__(rays_per_block,
+                                  WalksThrough<Hierarchy>::template threads_wanted<M> / rays_per_block)
+    refill_kernel(const SceneView<Stored> scene, const __grid_constant__ Hierarchy hierarchy,
                   const Ray<typename M::Real>* const rays, const std::uint32_t count,
                   const RayResults results, std::uint32_t* const next_ray) {
   __shared__ RayEnds<typename M::Real> ends[rays_per_block];
@@ -163,8 +186,9 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   const unsigned lane = threadIdx.x % lanes_per_warp;
   auto& end = ends[threadIdx.x];
   HierarchyStack stack;
-  WalkingRay<typename M::TestRay> own{};
-  own.thread = threadIdx.x;
+  constexpr int max_last_rays = WalksThrough<Hierarchy>::max_last_rays;
+  typename WalksThrough<Hierarchy>::template Ray<typename M::TestRay> own{};
+  if constexpr (max_last_rays > 0) own.thread = threadIdx.x;
   const std::uint32_t plenty = plenty_for_a_warp * (rays_per_block / lanes_per_warp) * gridDim.x;
   bool has_ray = false, under_way = false;
   std::uint32_t next = 0, taken = 0; // the rays from `next` to `taken` are the warp's
@@ -190,26 +214,29 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
         next = ::min(next + wanting, taken);
         idle = __ballot_sync(all_lanes, !has_ray);
       } while (next < count && __popc(idle) > max_lanes_wanting);
-      if (has_ray && !under_way) begin_ray(near, own); // all that were fetched, at once
+      if (has_ray && !under_way) // all that were fetched, at once
+        begin_ray(hierarchy, near, end.number, own, stack);
       under_way = has_ray;
     }
-    if (next >= count && __popc(~idle) <= max_rays_by_pairs) break;
+    if (next >= count && __popc(~idle) <= max_last_rays) break;
     int idle_steps = 0;
     while (under_way) {
-      under_way = goes_on<query, M>(
-          scene, own, end, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
+      under_way = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
+        return own.walk.advance(seen_by_rays(hierarchy), stack, visitor);
+      });
       const int active = __popc(__activemask());
       if (next < count) {
         idle_steps += max(lanes_per_warp - idle_lanes_tolerated - active, 0);
         if (idle_steps >= max_idle_steps) break;
-      } else if (active <= max_rays_by_pairs) {
+      } else if (active <= max_last_rays) {
         break;
       }
     }
     __syncwarp();
   }
   __syncwarp();
-  trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
+  if constexpr (max_last_rays > 0)
+    trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
 }
 
 } // namespace masu

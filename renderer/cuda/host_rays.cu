@@ -116,9 +116,12 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
                                         {stream, files.memory->pool});
     };
     const DeviceArray<std::uint32_t> excluded = one_per_ray(rays.filters.excluded),
-                                     ray_masks = one_per_ray(rays.filters.ray_masks);
+                                     ray_masks = one_per_ray(rays.filters.ray_masks),
+                                     excluded_objects = one_per_ray(rays.placed_filters.excluded_objects),
+                                     worlds = one_per_ray(rays.placed_filters.worlds);
     RayList list(in_place ? from : device_rays.data(), work.count, rays.format);
     list.filters = {excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
+    list.placed_filters = {excluded_objects.data(), worlds.data()};
     check(cudaEventRecord(piece.begun, stream));
     if (!in_place) check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
     if (!in_place) check(cudaEventRecord(piece.uploaded, stream));

@@ -3,25 +3,6 @@
 #include "renderer/cuda/device_files.h"
 
 namespace masu {
-namespace {
-
-// An array on the device: where it lies, or copied there.
-template <class T>
-const T* on_device(const T* array, std::size_t count, const DeviceMemory& memory, DeviceArray<T>& copy) {
-  const int place = device_of(array);
-  if (place == memory.device || count == 0) return array;
-  Transfer upload(memory.pool);
-  DeviceArray<T> made = upload.room_for<T>(count);
-  if (place == host_memory)
-    upload.to_device(made.data(), array, count * sizeof(T));
-  else
-    check(cudaMemcpyPeer(made.data(), memory.device, array, place, count * sizeof(T)));
-  upload.run();
-  copy = std::move(made); // whole, or not at all
-  return copy.data();
-}
-
-} // namespace
 
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,
                                                     const Vertices& vertices) {

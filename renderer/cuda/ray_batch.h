@@ -42,6 +42,11 @@ template <class Real, class Stored>
 void launch_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
                        const RayResults& results);
 
+// Of placed meshes: a whole query; not by `fast`.
+template <class TestRay, class Stored>
+KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list, const RaysRequest& request,
+                         const RayBatch<typename TestRay::Real>& batch);
+
 // Of places in device memory, whichever store and structure; by launch_rays().
 KernelSize launch_closest(const DeviceFiles& files, const RayList& places, const RayResults& results,
                           cudaStream_t stream, cudaEvent_t begun);

@@ -48,6 +48,13 @@ KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayR
         const Box<Stored> box = stored.scene.view.clip;
         const Ray<Real>* const own = converted(rays, box, memory, copy);
         if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
+          if (stored.placements != nullptr) {
+            size = launch_placed<TestRay>(stored, rays, request,
+                                          RayBatch<Real>{own, rays.count, results, nullptr, memory, begun});
+            if (request.query != Query::occlusion)
+              launch_to_list<Real>(rays, box, results, hit_rules(request).row(), memory);
+            return;
+          }
           if (needs_hits_in_order(rays, results, request)) {
             size = launch_hits<TestRay>(stored, hit_rules(request), rays.filters,
                                         RayBatch<Real>{own, rays.count, results, nullptr, memory, begun});

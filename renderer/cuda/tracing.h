@@ -97,37 +97,49 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Structure& g
   return known.size;
 }
 
+// act(batch, first, count) for parts of a list that warps can number, from ray `first` on.
+template <class Real, class Act>
+void for_each_part(const RayBatch<Real>& all, const Act& act) {
+  RayBatch<Real> part = all;
+  for (std::uint64_t first = 0; first < all.count; first += max_rays_by_warps) {
+    const auto count = static_cast<std::uint32_t>(std::min(all.count - first, max_rays_by_warps));
+    act(std::as_const(part), first, count);
+    part.rays += count;
+    for_each_array(part.results, [&](auto*& array) {
+      if (array != nullptr) array += count;
+    });
+  }
+}
+
+template <Query query, class M, class Stored, class Hierarchy>
+KernelSize trace_by_refill(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
+                           const RayBatch<typename M::Real>& batch) {
+  auto* const kernel = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
+  const auto known = files.kernels->of(kernel, rays_per_block);
+  const DeviceArray<std::uint32_t> next_rays((batch.count + max_rays_by_warps - 1) / max_rays_by_warps,
+                                             batch.memory);
+  next_rays.clear();
+  batch.begin();
+  for_each_part(batch, [&](const auto& part, std::uint64_t first, std::uint32_t count) {
+    launch(kernel, std::min(blocks_of(rays_per_block, count), known.blocks), rays_per_block,
+           batch.memory.stream, files.scene.view, from_ray(hierarchy, first), part.rays, count, part.results,
+           next_rays.data() + first / max_rays_by_warps);
+  });
+  return known.size;
+}
+
 // Traces through a hierarchy by thread_per_ray or warp_refill.
 template <Query query, class M, class Stored, class Hierarchy>
 KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy, RayLoop loop,
                               const RayBatch<typename M::Real>& batch) {
-  auto* const trace = packet_kernel<query, OnDevice<M>, Stored, Hierarchy>;
-  auto* const refill = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
-  const bool refills = loop == RayLoop::warp_refill;
-  const auto known =
-      refills ? files.kernels->of(refill, rays_per_block) : files.kernels->of(trace, rays_per_block);
-  const std::uint64_t launches = (batch.count + max_rays_by_warps - 1) / max_rays_by_warps;
-  const DeviceArray<std::uint32_t> next_rays(refills ? launches : 0, batch.memory);
-  next_rays.clear();
+  if (loop == RayLoop::warp_refill) return trace_by_refill<query, M>(files, hierarchy, batch);
+  auto* const kernel = packet_kernel<query, OnDevice<M>, Stored, Hierarchy>;
   batch.begin();
-  RayResults results = batch.results;
-  for (std::uint64_t i = 0; i < launches; ++i) {
-    const std::uint64_t first = i * max_rays_by_warps;
-    const auto count = static_cast<std::uint32_t>(std::min(batch.count - first, max_rays_by_warps));
-    const std::uint32_t blocks = blocks_of(rays_per_block, count);
-    const auto launch_with = [&](auto* kernel, std::uint32_t of, const auto&... more) {
-      launch(kernel, of, rays_per_block, batch.memory.stream, files.scene.view, hierarchy, batch.rays + first,
-             count, results, more...);
-    };
-    if (refills)
-      launch_with(refill, std::min(blocks, known.blocks), next_rays.data() + i);
-    else
-      launch_with(trace, blocks);
-    for_each_array(results, [&](auto*& array) {
-      if (array != nullptr) array += count;
-    });
-  }
-  return known.size;
+  for_each_part(batch, [&](const auto& part, std::uint64_t, std::uint32_t count) {
+    launch(kernel, blocks_of(rays_per_block, count), rays_per_block, batch.memory.stream, files.scene.view,
+           hierarchy, part.rays, count, part.results);
+  });
+  return files.kernels->of(kernel, rays_per_block).size;
 }
 
 // Traces with a thread per ray.

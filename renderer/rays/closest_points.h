@@ -19,25 +19,25 @@ MASU_HD inline Vec3d place_at(const void* places, const RayFormat& format, std::
 }
 
 // Writes the distance of place i as t and t64, and what RayResults has besides of the closest point, but for
-// `front`; where there is none, as of a miss. Structure: a hierarchy of the scene, or NoStructure.
+// `front`; where there is none, as of a miss. Structure: a hierarchy of the scene, NoStructure, or PlacedRay.
 template <class Stored, class Structure>
 MASU_HD inline void write_closest(const SceneView<Stored>& scene, const Structure& structure,
                                   const void* places, const RayFormat& format, const RayFilters& filters,
                                   const RayResults& results, std::size_t i) {
-  const HitFilter filter = filters.of(i);
+  const HitFilter filter = filter_of(structure, filters, i);
   const auto [closest, primitive] = closest_primitive(scene, structure, place_at(places, format, i), filter);
   const double distance = std::sqrt(closest.squared);
   if (results.t != nullptr) results.t[i] = static_cast<float>(distance);
   if (results.t64 != nullptr) results.t64[i] = distance;
-  if (results.primitive != nullptr) results.primitive[i] = primitive;
+  if (results.primitive != nullptr) results.primitive[i] = reported_primitive(structure, primitive);
   HitAttributes found;
   if (primitive != no_primitive) {
     const double length = std::sqrt(dot(closest.normal, closest.normal));
     const Vec3d normal = length > 0 ? closest.normal * (1 / length) : closest.normal;
-    found.object = surface_of(scene, primitive).object;
-    found.face = face_of(scene, primitive);
+    set_name(scene, structure, primitive, found);
     if (primitive < scene.triangle_count)
-      set_on_triangle(found, scene, *scene.triangle(primitive), normal, closest.weight_b, closest.weight_c);
+      set_on_triangle(found, scene, triangle_of(scene, structure, primitive), normal, closest.weight_b,
+                      closest.weight_c);
     else
       found.normal = found.shading = cast<float>(normal);
     found.position = closest.point + format.origin;

@@ -25,6 +25,14 @@ struct RayFilters {
   }
 };
 
+// Besides, of placed meshes (placed_rays.h), for each ray or null: the object that its excluded primitive is
+// of, and its world. Apart, for kernels of other scenes don't take them.
+struct PlacedFilters {
+  const std::uint32_t *excluded_objects = nullptr, *worlds = nullptr;
+
+  bool any() const { return excluded_objects != nullptr || worlds != nullptr; }
+};
+
 // What is asked of each ray. With Faces::both, no filters and no t64, nearest_hit and occlusion are
 // trace_listed()'s, with the same results.
 struct HitRules {
@@ -36,6 +44,32 @@ struct HitRules {
   MASU_HD std::uint32_t row() const { return query == Query::all_hits ? limit : 1; }
 };
 
+// What depends on how a scene's primitives are held: what a ray doesn't hit, and how its hits are named.
+template <class Structure>
+MASU_HD inline HitFilter filter_of(const Structure&, const RayFilters& filters, std::size_t i) {
+  return filters.of(i);
+}
+template <class Structure>
+MASU_HD inline PrimitiveIndex reported_primitive(const Structure&, PrimitiveIndex primitive) {
+  return primitive;
+}
+template <class Stored, class Structure>
+MASU_HD inline void set_name(const SceneView<Stored>& scene, const Structure&, PrimitiveIndex primitive,
+                             HitAttributes& found) {
+  found.object = surface_of(scene, primitive).object;
+  found.face = face_of(scene, primitive);
+}
+template <class Stored, class Structure>
+MASU_HD inline const Triangle<Stored>& triangle_of(const SceneView<Stored>& scene, const Structure&,
+                                                   PrimitiveIndex primitive) {
+  return *scene.triangle(primitive);
+}
+template <class TestRay, class Stored, class Structure>
+MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const Structure&,
+                                     const NearHit<TestRay>& near, const RayResults& results, std::size_t i) {
+  write_attributes(scene, near, results, i);
+}
+
 // Writes the results of ray i.
 template <class M, class Stored, class Structure>
 MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Structure& structure,
@@ -44,7 +78,7 @@ MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Structure& 
   using Real = typename M::Real;
   using Near = NearHit<typename M::TestRay>;
   const bool counts_all = rules.query == Query::count_hits, lists = rules.query == Query::all_hits;
-  HitFilter filter = filters.of(i);
+  HitFilter filter = filter_of(structure, filters, i);
   filter.faces = rules.faces;
   filter.edges = counts_all || lists ? EdgeRule::half_open : EdgeRule::closed;
   const Real scale = scale_direction(ray);
@@ -52,9 +86,10 @@ MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Structure& 
   const auto write = [&](std::uint32_t k, const Near& near, Real t, bool front) {
     if (results.t != nullptr) results.t[first + k] = static_cast<float>(t);
     if (results.t64 != nullptr) results.t64[first + k] = static_cast<double>(t);
-    if (results.primitive != nullptr) results.primitive[first + k] = near.hit.primitive;
+    if (results.primitive != nullptr)
+      results.primitive[first + k] = reported_primitive(structure, near.hit.primitive);
     if (results.front != nullptr) results.front[first + k] = front ? 1 : 0;
-    if (results.has_attributes()) write_attributes(scene, near, results, first + k);
+    if (results.has_attributes()) write_attributes(scene, structure, near, results, first + k);
   };
   const bool writes = lists || rules.query == Query::nearest_hit;
   std::int32_t leaves = 0; // how often more than it enters

@@ -20,6 +20,7 @@ struct RayList {
   std::size_t count = 0;
   RayFormat format{};
   RayFilters filters{};
+  PlacedFilters placed_filters{};
 
   RayList() = default;
   RayList(const void* rays_, std::size_t count_, const RayFormat& format_)
@@ -38,6 +39,15 @@ inline RayList relative(RayList rays) {
   rays.format.is_relative = true;
   return rays;
 }
+
+// Throws Error(usage) where a scene of these bounds is too large for distances (max_closest).
+void check_closest(const Boxd& bounds);
+
+struct RaysRequest;
+// Throws Error(usage) likewise, and for results that a query needs and doesn't have, and for hits in order
+// that aren't to be had. The request's precision is resolved.
+void check_query(const RayList& rays, const RayResults& results, const RaysRequest& request,
+                 std::uint64_t objects);
 
 // How a GPU schedules rays. thread_per_ray: a thread traces one ray to its end, and a warp's threads wait for
 // each other at every cell. warp: its threads share the primitive tests of its rays. warp_refill: besides,

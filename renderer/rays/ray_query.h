@@ -332,6 +332,21 @@ MASU_HD inline void set_on_triangle(HitAttributes& found, const SceneView<Stored
       interpolate(weights, cast<double>(triangle.a), cast<double>(triangle.b), cast<double>(triangle.c));
 }
 
+// Sets what is of the point of a hit. triangle_of(): the one of its primitive's number.
+template <class TestRay, class Stored, class TriangleOf>
+MASU_HD inline void set_surface(const SceneView<Stored>& scene, const NearHit<TestRay>& near,
+                                const TriangleOf& triangle_of, HitAttributes& found) {
+  if (near.hit.primitive < scene.triangle_count) {
+    const Triangle<Stored>& triangle = triangle_of();
+    const TriangleHit hit = triangle_hit(near.ray, near.hit.t, triangle);
+    set_on_triangle(found, scene, triangle, hit.normal, hit.u, hit.v);
+  } else {
+    const auto point = surface_at<with_spheres | with_cones>(scene, near);
+    found.normal = found.shading = cast<float>(point.normal);
+    found.position = cast<double>(point.position);
+  }
+}
+
 // Writes the attributes of a hit as element i; of a miss where `near` has no primitive.
 template <class TestRay, class Stored>
 MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearHit<TestRay>& near,
@@ -341,15 +356,8 @@ MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearH
   if (primitive != no_primitive) {
     found.object = surface_of(scene, primitive).object;
     found.face = face_of(scene, primitive);
-    if (primitive < scene.triangle_count) {
-      const Triangle<Stored>& triangle = *scene.triangle(primitive);
-      const TriangleHit hit = triangle_hit(near.ray, near.hit.t, triangle);
-      set_on_triangle(found, scene, triangle, hit.normal, hit.u, hit.v);
-    } else {
-      const auto point = surface_at<with_spheres | with_cones>(scene, near);
-      found.normal = found.shading = cast<float>(point.normal);
-      found.position = cast<double>(point.position);
-    }
+    set_surface(
+        scene, near, [&]() -> const Triangle<Stored>& { return *scene.triangle(primitive); }, found);
   }
   write_attributes(found, results, i);
 }

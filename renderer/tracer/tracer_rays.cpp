@@ -51,13 +51,6 @@ void check_results(const RayList& rays, const RayResults& results, Query query) 
     fail("have no array for whether they are occluded");
 }
 
-void check_closest(const SceneFile& scene, const StructureFile* structure) {
-  if (structure != nullptr && !structure->is_hierarchy())
-    throw Error(ErrorCode::usage, "structure", "is a grid: closest points are found through a hierarchy");
-  if (const Boxd bounds = scene.bounds(); !is_empty(bounds) && largest_magnitude(bounds) > max_closest)
-    throw Error(ErrorCode::usage, "scene", "has coordinates beyond 1e37, too large for distances");
-}
-
 void check_hits_in_order(const RaysRequest& request, const RayResults& results) {
   const auto fail = [](const char* place, const std::string& what) {
     throw Error(ErrorCode::usage, place, what);
@@ -86,14 +79,49 @@ void check_filters(const RayFilters& filters, std::uint64_t objects) {
   }
 }
 
+void check_closest(const Boxd& bounds) {
+  if (!is_empty(bounds) && largest_magnitude(bounds) > max_closest)
+    throw Error(ErrorCode::usage, "scene", "has coordinates beyond 1e37, too large for distances");
+}
+
+void check_query(const RayList& rays, const RayResults& results, const RaysRequest& request,
+                 std::uint64_t objects) {
+  check_results(rays, results, request.query);
+  check_filters(rays.filters, objects);
+  if (needs_hits_in_order(rays, results, request)) check_hits_in_order(request, results);
+}
+
+QueryReport trace_by_gpus(std::span<const std::shared_ptr<const DeviceFiles>> files, const RayList& rays,
+                          const RayResults& results, const RaysRequest& request) {
+  std::atomic<std::size_t> next_piece = 0;
+  std::mutex mutex;
+  QueryReport all;
+  const auto trace_pieces = [&](std::size_t index) {
+    const QueryReport report = trace_rays_cuda(*files[index], rays, results, request, next_piece);
+    const std::lock_guard lock(mutex);
+    all.counts += report.counts;
+    all.seconds += report.seconds;
+    all.kernel = report.kernel;
+  };
+  const auto meanwhile = [&] {
+    if (request.progress) request.progress(share_of_pieces(next_piece, rays, request));
+  };
+  on_threads(files.size(), trace_pieces, meanwhile);
+  return all;
+}
+
 RaysRequest ResidentTracer::resolved(const RaysRequest& request, const RayList& rays,
                                      const RayResults& results) const {
-  check_results(rays, results, request.query);
-  check_filters(rays.filters, scene_.counts().objects);
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
-  if (request.query == Query::closest_point) check_closest(scene_, structure_);
-  if (needs_hits_in_order(rays, results, request)) check_hits_in_order(resolved_request, results);
+  check_query(rays, results, resolved_request, scene_.counts().objects);
+  if (rays.placed_filters.any())
+    throw Error(ErrorCode::usage, "rays", "have worlds or excluded objects: the scene has no placements");
+  if (request.query == Query::closest_point) {
+    if (structure_ != nullptr && !structure_->is_hierarchy())
+      throw Error(ErrorCode::usage, "structure", "is a grid: closest points are found through a hierarchy");
+    check_closest(scene_.bounds());
+  }
   if (results.costs.wanted()) resolved_request.tracing.count = true;
   return resolved_request;
 }
@@ -119,23 +147,7 @@ QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results
                                   const RaysRequest& request) const {
   if (device_count() == 1 || rays.count <= rays_per_piece(request))
     return trace(rays, results, request, next_device());
-  const RaysRequest resolved_request = resolved(request, rays, results);
-  std::atomic<std::size_t> next_piece = 0;
-  std::mutex mutex;
-  QueryReport all;
-  const auto trace_pieces = [&](std::size_t index) {
-    const QueryReport report =
-        trace_rays_cuda(*files_[index], to_local(rays), results, resolved_request, next_piece);
-    const std::lock_guard lock(mutex);
-    all.counts += report.counts;
-    all.seconds += report.seconds;
-    all.kernel = report.kernel;
-  };
-  const auto meanwhile = [&] {
-    if (request.progress) request.progress(share_of_pieces(next_piece, rays, request));
-  };
-  on_threads(device_count(), trace_pieces, meanwhile);
-  return all;
+  return trace_by_gpus(files_, to_local(rays), results, resolved(request, rays, results));
 }
 
 QueryReport ResidentTracer::trace_on_device(const RayList& rays, const RayResults& results,

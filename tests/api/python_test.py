@@ -774,6 +774,93 @@ class Tracers(WithFolder):
             run_threads([work] * 4 + [close])
 
 
+class Placed(unittest.TestCase):
+    """Of rotations by 90 degrees, a scale of 2 and whole numbers all sums of M v + t are exact."""
+    meshes = [cube(), (np.float32([[0, 0, 0], [3, 0, 0], [0, 3, 0]]), [[0, 1, 2]])]
+    moves = np.float64([[[0, -2, 0, 7], [2, 0, 0, 1], [0, 0, -2, 3]], [[1, 0, 0, -9], [0, 1, 0, 0], [0, 0, 1, 4]],
+                        [[2, 0, 0, 0], [0, 2, 0, -8], [0, 0, 2, 0]]])
+    of_mesh = [0, 1, 0]
+
+    def placed(self, **options):
+        return masu.Scene(meshes=self.meshes, placements=list(zip(self.of_mesh, self.moves)), origin=(0, 0, 0), **options)
+
+    def written(self, moves):
+        placed = []
+        for mesh, move in zip(self.of_mesh, moves):
+            vertices, faces = self.meshes[mesh]
+            placed.append((np.float64(vertices) @ np.float64(move)[:3, :3].T + np.float64(move)[:3, 3], faces))
+        return masu.Scene(meshes=placed, origin=(0, 0, 0), store="float32")
+
+    def rays(self, count=2000):
+        random = np.random.default_rng(5)
+        origins = random.uniform(-12, 12, (count, 3))
+        return np.concatenate([origins, random.uniform(-9, 9, (count, 3)) - origins], 1)
+
+    def expect_same(self, tracer, moves, **options):
+        rays = self.rays()
+        written = masu.Tracer(self.written(moves))
+        fields = [field for field in masu.FIELDS if field not in ("primitive_ids", "face_ids")]
+        found, expected = tracer.nearest(rays, fields=fields, **options), written.nearest(rays, fields=fields)
+        for field in fields:
+            np.testing.assert_array_equal(found[field], expected[field])
+        np.testing.assert_array_equal(tracer.count_hits(rays, **options), written.count_hits(rays))
+        np.testing.assert_array_equal(tracer.inside(rays, **options), written.inside(rays))
+        points = tracer.closest(rays[:, :3], fields=("distances", "geometry_ids"), **options)
+        for field, values in written.closest(rays[:, :3], fields=("distances", "geometry_ids")).items():
+            np.testing.assert_array_equal(points[field], values)
+        return found
+
+    def test_finds_and_moves_as_written_out(self):
+        tracer = masu.Tracer(self.placed(), quality="fast")
+        self.assertIsNone(tracer.grid)
+        found = self.expect_same(tracer, self.moves)
+        self.assertEqual(set(found["geometry_ids"].tolist()), {-1, 0, 1, 2})
+        moved = self.moves[::-1].copy()
+        tracer.place(moved)
+        self.expect_same(tracer, moved)
+        square = np.zeros((1, 4, 4), np.float32)
+        square[0, :3] = moved[1] = self.moves[0]
+        square[0, 3, 3] = 1
+        tracer.place(square, [1])
+        self.expect_same(tracer, moved)
+        with self.assertRaisesRegex(masu.Error, "placements: number 2 can't be inverted"):
+            tracer.place(np.zeros((1, 3, 4)), [2])
+        with self.assertRaises(ValueError):
+            tracer.place(moved[:, :2])
+        self.expect_same(tracer, moved)
+
+    def test_exclude_pairs_and_worlds(self):
+        rays = self.rays()
+        tracer = masu.Tracer(self.placed())
+        found = tracer.nearest(rays, fields=("geometry_ids", "primitive_ids"))
+        pairs = np.stack([found["geometry_ids"], found["primitive_ids"]], 1)
+        again = tracer.nearest(rays, fields=("geometry_ids", "primitive_ids"), exclude=pairs)
+        self.assertFalse(((pairs == np.stack([again["geometry_ids"], again["primitive_ids"]], 1)).all(1) &
+                          (pairs[:, 0] >= 0)).any())
+        worlds = masu.Tracer(masu.Scene(meshes=self.meshes, placements=[
+            masu.Placement(0, self.moves[0], world=3), masu.Placement(1, self.moves[1], mask=4, world=None)]))
+        seen = lambda **options: set(worlds.nearest(rays, fields="geometry_ids", **options)["geometry_ids"].tolist())
+        self.assertEqual(seen(), {-1, 1})
+        self.assertEqual(seen(worlds=3), {-1, 0, 1})
+        self.assertEqual(seen(worlds=3, ray_masks=3), {-1, 0})
+
+    def test_is_in_memory_alone(self):
+        scene = self.placed(spheres=[[0, 0, 0, 1]])
+        self.assertEqual(scene.describe().objects, 4)
+        with self.assertRaisesRegex(masu.Error, "scene: is of placed meshes"):
+            scene.write("never")
+        with self.assertRaisesRegex(masu.Error, "scene: is of placed meshes"):
+            scene.build()
+        with self.assertRaisesRegex(masu.Error, "scene: is of placed meshes"):
+            scene.check()
+        with self.assertRaisesRegex(masu.Error, "the scene has placements"):
+            masu.Tracer(scene).winding_numbers([[0, 0, 0]])
+        with self.assertRaises(TypeError):
+            copy.deepcopy(masu.Tracer(scene))
+        with self.assertRaises(ValueError):
+            masu.Scene(meshes=self.meshes, placements=[(2, self.moves[0])])
+
+
 class Copies(WithFolder):
     def all_three(self):
         self.scene(60)

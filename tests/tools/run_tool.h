@@ -132,7 +132,11 @@ inline constexpr std::string_view small_nff =
     "f 1 0.5 0.25 0.7 0.3 10 0 1\np 4\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n"
     "f 0.2 0.4 0.9 0.6 0.4 30 0 1\ns 0 0 0.5 0.5\n";
 // The same with a sphere of another radius.
-inline const std::string other_nff = std::string(small_nff.substr(0, small_nff.size() - 4)) + "0.25\n";
+inline const std::string other_nff = [] {
+  std::string other(small_nff.substr(0, small_nff.size() - 4));
+  other += "0.25\n";
+  return other;
+}();
 
 // With a scene of small_nff, and a grid for it.
 class SmallSceneTest : public ToolTest {

@@ -13,10 +13,10 @@ from ._interpolate import interpolate
 from ._library import Error, Status, __version__, gpu_count
 from ._ray_mesh_intersector import RayMeshIntersector
 from ._raycasting_scene import RaycastingScene
-from ._scene import (Description, Faults, Grid, GridDescription, Mesh, MeshCheck, Primitive, Quadrics, Scene, load,
+from ._scene import (Description, Faults, Grid, GridDescription, Mesh, MeshCheck, Placement, Primitive, Quadrics, Scene, load,
                      load_grid)
 from ._tracer import CLOSEST_FIELDS, FIELDS, Tracer
 
 __all__ = ["CLOSEST_FIELDS", "Description", "Error", "FIELDS", "Faults", "Grid", "GridDescription", "Mesh", "MeshCheck",
-           "Primitive", "Quadrics", "RayMeshIntersector", "RaycastingScene", "Scene", "Status", "Tracer", "__version__",
-           "gpu_count", "interpolate", "load", "load_grid"]
+           "Placement", "Primitive", "Quadrics", "RayMeshIntersector", "RaycastingScene", "Scene", "Status", "Tracer",
+           "__version__", "gpu_count", "interpolate", "load", "load_grid"]

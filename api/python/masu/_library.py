@@ -83,7 +83,7 @@ class QueryRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("format", c_int), ("precision", c_int), ("coherent", c_int), ("relative", c_int),
                 ("stream", c_void_p), ("threads", c_int), ("faces", c_int), ("exclude", c_void_p),
                 ("object_masks", c_void_p), ("object_count", c_size_t), ("ray_masks", c_void_p), ("loop", c_int),
-                ("reserved", c_int), *_GO_ON]
+                ("reserved", c_int), *_GO_ON, ("exclude_objects", c_void_p), ("worlds", c_void_p)]
 
 
 class HitsRecord(ctypes.Structure):
@@ -107,10 +107,16 @@ class QuadricsRecord(ctypes.Structure):
                 ("color", POINTER(c_float))]
 
 
+class PlacementRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("transform", c_double * 12), ("mesh", c_uint32), ("mask", c_uint32), ("world", c_uint32),
+                ("reserved", c_uint32)]
+
+
 class GeometryRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("meshes", POINTER(MeshRecord)), ("mesh_count", c_size_t),
                 ("spheres", POINTER(QuadricsRecord)), ("sphere_count", c_size_t), ("cones", POINTER(QuadricsRecord)),
-                ("cone_count", c_size_t), ("origin", POINTER(c_double)), ("store", c_int), ("reserved", c_int), *_GO_ON]
+                ("cone_count", c_size_t), ("origin", POINTER(c_double)), ("store", c_int), ("reserved", c_int), *_GO_ON,
+                ("placements", POINTER(PlacementRecord)), ("placement_count", c_size_t)]
 
 
 class BuildOptionsRecord(ctypes.Structure):
@@ -122,11 +128,16 @@ class BuildOptionsRecord(ctypes.Structure):
 
 class TracerOptionsRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("gpus", POINTER(c_int)), ("gpu_count", c_size_t), ("brute_force", c_int),
-                ("reserved", c_int), *_GO_ON]
+                ("quality", c_int), *_GO_ON]
 
 
 class VerticesRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("values", c_void_p), ("values64", c_void_p), ("count", c_size_t), ("stream", c_void_p)]
+
+
+class TransformsRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("values", c_void_p), ("values64", c_void_p), ("count", c_size_t), ("indices", c_void_p),
+                ("square", c_int), ("reserved", c_int), ("stream", c_void_p)]
 
 
 Record = TypeVar("Record", bound=ctypes.Structure)
@@ -147,6 +158,7 @@ MERGES = {"auto": 0, "none": 1, "x": 2, "balance": 3, "irregular": 4}
 QUALITIES = {"high": 0, "fast": 1}
 KINDS = ("triangle", "sphere", "cone")
 CPU = -1
+EVERY_WORLD = 2**32 - 1
 
 
 # --- The library --------------------------------------------------------------------------------------------------
@@ -218,6 +230,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_tracer_create", c_int, c_void_p, c_void_p, POINTER(TracerOptionsRecord), handle)
     declare("masu_tracer_grid", c_int, c_void_p, handle)
     declare("masu_tracer_update", c_int, c_void_p, POINTER(VerticesRecord))
+    declare("masu_tracer_place", c_int, c_void_p, POINTER(TransformsRecord))
     declare("masu_tracer_free", None, c_void_p)
     declare("masu_nearest", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), POINTER(HitsRecord))
     declare("masu_occluded", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), c_void_p)

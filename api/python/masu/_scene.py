@@ -11,8 +11,9 @@ from ctypes import byref, c_double, c_float
 from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _arrays, _mesh_objects
-from ._library import (KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, FaultsRecord, GeometryRecord,
-                       GridDescriptionRecord, MeshCheckRecord, MeshRecord, Path, PrimitiveRecord, Progress, QuadricsRecord,
+from ._library import (EVERY_WORLD, KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, FaultsRecord,
+                       GeometryRecord, GridDescriptionRecord, MeshCheckRecord, MeshRecord, Path, PlacementRecord,
+                       PrimitiveRecord, Progress, QuadricsRecord,
                        Resource, SceneDescriptionRecord, Status, call, check, choice, device_number, folders_of_tools, library,
                        memory_file, path_bytes, sized)
 
@@ -31,6 +32,14 @@ class Quadrics(NamedTuple):
     """Spheres or cones: an object of a scene."""
     values: Any  # (N, 4), centre and radius; (N, 8), base, radius there, apex, radius there
     color: Color = None
+
+
+class Placement(NamedTuple):
+    """A mesh where it is in the world."""
+    mesh: int  # its index
+    transform: Any  # (3, 4) or (4, 4): vertices are M v + t
+    mask: int = 0  # of the rays that hit it; 0: all bits
+    world: Optional[int] = 0  # of the rays that see it; None: of all
 
 
 class Description(NamedTuple):
@@ -178,6 +187,23 @@ def _quadrics(name: str, given: Any, columns: int) -> Tuple[Any, Any]:
     return records, kept
 
 
+def _placements(given: Sequence[Any], meshes: int) -> Any:
+    import numpy as np
+    records = (PlacementRecord * len(given))()
+    for index, (record, one) in enumerate(zip(records, given)):
+        placement = one if isinstance(one, Placement) else Placement(*one)
+        place = "placement {}: ".format(index)
+        transform = np.asarray(_arrays.real_numbers(place + "transform", placement.transform), np.float64)
+        if transform.shape not in ((3, 4), (4, 4)):
+            raise ValueError("{}transform: the shape (3, 4) or (4, 4) is needed, not {}".format(place, transform.shape))
+        if not 0 <= operator.index(placement.mesh) < meshes:
+            raise ValueError("{}mesh: {} isn't one of the {}".format(place, placement.mesh, meshes))
+        sized(record).transform[:] = transform[:3].ravel().tolist()
+        record.mesh, record.mask = placement.mesh, operator.index(placement.mask)
+        record.world = EVERY_WORLD if placement.world is None else operator.index(placement.world)
+    return records
+
+
 def mesh_of(vertices: Any, faces: Any = None) -> Mesh:
     """Copies of arrays, or without faces, of those of another library's mesh."""
     import numpy as np
@@ -208,11 +234,20 @@ class Scene(Resource):
     "float64". Coordinates are stored relative to `origin`, so that errors follow the scene's extent and not its position
     in the world: by default the bounds' centre, or zero where that is nearer than half their diagonal.
 
+    **Placed meshes.** Scene(meshes=…, placements=[(mesh, transform), …]), or a list of masu.Placement, has each mesh as often
+    as it is placed, and stores it once; Tracer.place() moves them. `geometry_ids` are then the placements' indices, and
+    `primitive_ids` the triangles' within their mesh; spheres and cones stand beside them. Hits are those of the scene of
+    all vertices written out, each M v + t by fused multiply-adds from the last column on, in the store's arithmetic and
+    relative to the origin. Such a scene is in memory alone.
+
     Raises masu.Error; TypeError and ValueError for arrays of other types, shapes and contents."""
+
+    _placements = 0  # how many there are
 
     def __init__(self, vertices: Any = None, faces: Any = None, color: Color = None, *,
                  meshes: Optional[Sequence[Any]] = None, spheres: Any = None, cones: Any = None,
-                 store: str = "auto", origin: Optional[Sequence[float]] = None) -> None:
+                 store: str = "auto", origin: Optional[Sequence[float]] = None,
+                 placements: Optional[Sequence[Any]] = None) -> None:
         if meshes is not None and vertices is not None:
             raise TypeError("Scene: either vertices, or meshes")
         if vertices is None and (faces is not None or color is not None):
@@ -231,6 +266,9 @@ class Scene(Resource):
         geometry = sized(GeometryRecord(
             meshes=records, mesh_count=len(records), spheres=sphere_records, sphere_count=len(sphere_records),
             cones=cone_records, cone_count=len(cone_records), store=choice("store", store, STORES)))
+        placed = _placements(placements or (), len(records))
+        self._placements = geometry.placement_count = len(placed)
+        geometry.placements = placed
         if origin is not None:
             if len(origin) != 3:
                 raise ValueError("origin: 3 numbers are needed, not {}".format(len(origin)))

@@ -9,8 +9,8 @@ from ctypes import byref, c_int
 from typing import Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Union
 
 from . import _arrays
-from ._library import (CPU, FACES, LOOPS, PRECISIONS, HitsRecord, Progress, QueryRecord, Resource, TracerOptionsRecord,
-                       VerticesRecord, call, choice, device_number, library, sized)
+from ._library import (CPU, FACES, LOOPS, PRECISIONS, QUALITIES, HitsRecord, Progress, QueryRecord, Resource,
+                       TracerOptionsRecord, TransformsRecord, VerticesRecord, call, choice, device_number, library, sized)
 from ._scene import Grid, Scene
 
 
@@ -108,9 +108,10 @@ class Tracer(Resource):
     """A scene and its grid on a device, for queries until it is closed; also a context manager.
 
     Without a grid what answers soonest is built on the device: scene.build(structure="bvh", quality="fast"), or a grid
-    where the scene is too large for a hierarchy. brute_force: instead of that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the first GPU;
-    "cuda:N" or N, the GPU of that number, from 0; or a list of such GPUs, which share arrays in host memory. Raises
-    masu.Error.
+    where the scene is too large for a hierarchy. Of placed meshes each gets a hierarchy of that `quality`. brute_force:
+    instead of that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the
+    first GPU; "cuda:N" or N, the GPU of that number, from 0; or a list of such GPUs, which share arrays in host memory.
+    Raises masu.Error.
 
     **Rays** are an array (..., 6) of origin and direction, or (..., 8) of origin, tmin, direction, tmax: float32 or
     float64 (other real numbers are converted to float64). A ray's points are origin + t direction with tmin < t < tmax;
@@ -144,7 +145,7 @@ class Tracer(Resource):
     number: int  # by which operators of PyTorch know it: drawn, so that it is nobody else's in another process
 
     def __init__(self, scene: Scene, grid: Optional[Grid] = None, device: Union[str, int, Any] = "cpu", *,
-                 brute_force: bool = False, progress: Progress = None) -> None:
+                 brute_force: bool = False, quality: str = "high", progress: Progress = None) -> None:
         if not isinstance(scene, Scene):
             raise TypeError("scene: a masu.Scene is needed, not {}: masu.load() reads files".format(type(scene).__name__))
         if grid is not None and not isinstance(grid, Grid):
@@ -154,10 +155,11 @@ class Tracer(Resource):
         self._gpus = _gpu_numbers(device)
         self._objects = scene.describe().objects  # the scene may be closed while the tracer lives
         options = sized(TracerOptionsRecord(gpus=(c_int * len(self._gpus))(*self._gpus), gpu_count=len(self._gpus),
-                                            brute_force=int(brute_force)))
+                                            brute_force=int(brute_force), quality=choice("quality", quality, QUALITIES)))
+        self._is_placed = scene._placements > 0
         self._own("tracer", library.masu_tracer_create, (scene, grid, byref(options)), library.masu_tracer_free, options,
                   progress)
-        if grid is None and not brute_force:
+        if grid is None and not brute_force and not self._is_placed:
             grid = Grid._of(library.masu_tracer_grid, self)
         self.scene, self.grid = scene, grid
         self._register()
@@ -179,6 +181,8 @@ class Tracer(Resource):
         return _made_again, (type(self), *self._parts(), self._gpus)
 
     def _parts(self) -> Tuple[Scene, Optional[Grid]]:
+        if self._is_placed:
+            raise TypeError("a tracer of placed meshes isn't copied or pickled")
         if self._opened().held.is_moved:
             raise TypeError("a tracer that update() has moved isn't copied or pickled: make a masu.Scene of the vertices")
         return self.scene, self.grid
@@ -191,7 +195,8 @@ class Tracer(Resource):
     def __repr__(self) -> str:
         if self._handle is None:
             return "<masu.Tracer: closed>"
-        return "<masu.Tracer on {}: {!r}, {!r}>".format(self.device, self.scene, self.grid or "brute force")
+        return "<masu.Tracer on {}: {!r}, {!r}>".format(self.device, self.scene, self.grid or (
+            "placed meshes" if self._is_placed else "brute force"))
 
     def update(self, vertices: Any, *, stream: Any = None) -> None:
         """Moves the triangles of the scene, and refits the tracer's hierarchy, which must be one (structure="bvh", best with
@@ -216,10 +221,33 @@ class Tracer(Resource):
             call(library.masu_tracer_update, self, byref(record))
         held.is_moved = True
 
+    def place(self, transforms: Any, indices: Any = None, *, stream: Any = None) -> None:
+        """Moves the scene's placements. transforms: (N, 3, 4) or (N, 4, 4) of float32 or float64, of all of them in their
+        order, or of those of the indices (N,). Hits are those of a new scene with the same origin and store. The tracer
+        alone moves; queries of other threads are of the placements before or after, and after an error it is as it was.
+        stream: as update() has it."""
+        arrays, transforms = _arrays.recognize("transforms", transforms, stream)
+        shape = tuple(transforms.shape)
+        if len(shape) != 3 or shape[1:] not in ((3, 4), (4, 4)):
+            raise ValueError("transforms: the shape (N, 3, 4) or (N, 4, 4) is needed, not {}".format(shape))
+        if arrays.gpu(transforms, "transforms") is None and stream is not None:
+            raise ValueError("stream: it is for transforms on a GPU, and these are in host memory")
+        record = sized(TransformsRecord(count=len(transforms), square=int(shape[1] == 4)))
+        with arrays.queue(transforms, stream) as record.stream:
+            transforms = arrays.packed(transforms, "transforms")
+            setattr(record, "values64" if arrays.is_float64(transforms) else "values", arrays.pointer(transforms))
+            if indices is not None:
+                others, indices = _arrays.recognize("indices", indices, stream)
+                if tuple(indices.shape) != shape[:1]:
+                    raise ValueError("indices: the shape {} is needed, not {}".format(shape[:1], tuple(indices.shape)))
+                indices = others.packed_int32(indices, "indices")
+                record.indices = others.pointer(indices)
+            call(library.masu_tracer_place, self, byref(record))
+
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None, relative: bool = False,
                 threads: int = 0, faces: str = "both", exclude: Any = None, object_masks: Any = None,
-                ray_masks: Any = None, loop: str = "auto", progress: Progress = None) -> Dict[str, Any]:
+                ray_masks: Any = None, worlds: Any = None, loop: str = "auto", progress: Progress = None) -> Dict[str, Any]:
         """The nearest hit of each ray: a dictionary of the fields requested, each an array of the rays' leading shape.
 
         t_hit              float32: t, infinity for a miss
@@ -244,14 +272,17 @@ class Tracer(Resource):
         hit, or -1: whole numbers of the rays' leading shape, where the rays are. object_masks: whole numbers of 32 bits,
         or bool, for each object of the scene, where the rays are; a ray hits the objects whose mask isn't 0, or, with
         ray_masks, one for each ray, those whose mask shares a bit with its own. For each of these three one number may
-        stand for all. loop: how a GPU schedules rays without t_hit64, front, sides, exclude and masks, which changes the
+        stand for all. Of placed meshes alone: exclude has another dimension, of 2, for pairs of geometry_ids and
+        primitive_ids; worlds: the number of each ray's world, or of all rays', 0 by default; with ray_masks alone those of
+        placements count. loop: how a GPU schedules rays without t_hit64, front, sides, exclude and masks, which changes the
         speed alone: "auto" (by a sample of the rays in host memory, by `coherent` on a GPU), "thread_per_ray", "warp" or
         "warp_refill"."""
         return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), chosen(fields), locals())
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
                  relative: bool = False, threads: int = 0, faces: str = "both", exclude: Any = None,
-                 object_masks: Any = None, ray_masks: Any = None, loop: str = "auto", progress: Progress = None) -> Any:
+                 object_masks: Any = None, ray_masks: Any = None, worlds: Any = None, loop: str = "auto",
+                 progress: Progress = None) -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
         return self._query_one(library.masu_occluded, "bool", locals())
@@ -280,12 +311,13 @@ class Tracer(Resource):
 
     def count_hits(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
                    threads: int = 0, faces: str = "both", exclude: Any = None, object_masks: Any = None,
-                   ray_masks: Any = None, progress: Progress = None) -> Any:
+                   ray_masks: Any = None, worlds: Any = None, progress: Progress = None) -> Any:
         """How many hits each ray has, as all_hits() finds them: an array of int32 of the rays' leading shape."""
         return self._query_one(library.masu_count_hits, "int32", locals())
 
     def inside(self, rays: Any, *, rule: str = "parity", precision: str = "auto", stream: Any = None, relative: bool = False,
-               threads: int = 0, object_masks: Any = None, ray_masks: Any = None, progress: Progress = None) -> Any:
+               threads: int = 0, object_masks: Any = None, ray_masks: Any = None, worlds: Any = None,
+               progress: Progress = None) -> Any:
         """Whether each point (..., 3), or the start of each ray, in any direction, is inside the surfaces, whose fronts are
         outside: an array of uint8 of the leading shape.
 
@@ -311,16 +343,17 @@ class Tracer(Resource):
 
     def closest(self, points: Any, *, fields: Union[str, Iterable[str]] = ("distances", "points", "primitive_ids"),
                 stream: Any = None, relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
-                ray_masks: Any = None, progress: Progress = None) -> Dict[str, Any]:
-        """The point of the surfaces that is closest to each of the points (..., 3), which lie where rays may: a dictionary of
-        the fields requested, each an array of the points' leading shape.
+                ray_masks: Any = None, worlds: Any = None, progress: Progress = None) -> Dict[str, Any]:
+        """The point of the surfaces that is closest to each of the points (..., 3), which lie where rays may, or of placed
+        meshes in host memory: a dictionary of the fields requested, each an array of the points' leading shape.
 
         distances          float64; infinity where there is no surface
         points             (..., 3) float64: the closest points
         primitive_ids, geometry_ids, primitive_uvs, primitive_normals, face_ids, normals   as nearest() has them, of these
 
-        Other arguments are those of nearest(), masks and exclude of points instead of rays. All is computed in float64. Of primitives at the same distance the lowest index is reported. If the grid isn't a hierarchy, the first call
-        builds one."""
+        Other arguments are those of nearest(), masks and exclude of points instead of rays. All is computed in float64. Of
+        primitives at the same distance the lowest index is reported. If the grid isn't a hierarchy, the first call builds
+        one."""
         return self._query(library.masu_closest, lambda pointers: (_hits(pointers, _CLOSEST_FIELDS), None),
                            chosen(fields, _CLOSEST_FIELDS), locals(), "points", (3,))
 
@@ -357,7 +390,9 @@ class Tracer(Resource):
             rays = arrays.packed(rays, name)
             objects = (self._objects,) if given.get("object_masks") is not None else ()
             filters = {}  # kept until the query is queued
-            for each, needed in (("exclude", shape[:-1]), ("ray_masks", shape[:-1]), ("object_masks", objects)):
+            pair = (2,) if self._is_placed else ()
+            for each, needed in (("exclude", shape[:-1] + pair), ("ray_masks", shape[:-1]), ("object_masks", objects),
+                                 ("worlds", shape[:-1])):
                 if given.get(each) is None:
                     continue
                 if hasattr(given[each], "__index__") and getattr(given[each], "shape", ()) == ():  # one for all
@@ -369,6 +404,10 @@ class Tracer(Resource):
                         raise ValueError("{}: whole numbers of the shape {} are needed, where the {} are, or one".format(
                             each, needed, name))
                     filters[each] = arrays.packed_int32(array, each)
+                if each == "exclude" and pair:
+                    filters["exclude_objects"] = arrays.packed_int32(filters[each][..., 0], each)
+                    filters[each] = arrays.packed_int32(filters[each][..., 1], each)
+                    record.exclude_objects = arrays.pointer(filters["exclude_objects"])
                 setattr(record, each, arrays.pointer(filters[each]))
             record.object_count = sum(objects)
             record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format

@@ -54,6 +54,31 @@ MASU_HD inline NodeAxes<Real> node_axes(const HierarchyNode& node, const Vec3<Re
           node_axis(node.origin[2], e >> 16 & 0xff, origin.z, inverse.z)};
 }
 
+// How far planes are moved outwards: not at all; or as far along each axis, for rays that were carried into
+// the boxes' space by roundings.
+struct NoPadding {};
+
+template <class Real>
+struct PaddedAxes {
+  NodeAxes<Real> near, far; // of the planes by which a ray enters and leaves
+};
+template <class Real>
+MASU_HD inline PaddedAxes<Real> padded(const NodeAxes<Real>& axes, const Vec3<Real>&, NoPadding) {
+  return {axes, axes};
+}
+template <class Real>
+MASU_HD inline PaddedAxes<Real> padded(const NodeAxes<Real>& axes, const Vec3<Real>& inverse, Real by) {
+  PaddedAxes<Real> moved{axes, axes};
+  const Vec3<Real> t{by * std::abs(inverse.x), by * std::abs(inverse.y), by * std::abs(inverse.z)};
+  moved.near.x.start -= t.x;
+  moved.near.y.start -= t.y;
+  moved.near.z.start -= t.z;
+  moved.far.x.start += t.x;
+  moved.far.y.start += t.y;
+  moved.far.z.start += t.z;
+  return moved;
+}
+
 // Where a ray enters a box, t >= 0, as a whole number: in the same order, and rounded down.
 MASU_HD inline std::uint32_t entry_bits(float t) {
   return bits_of(t) & 0x7fffffffU; // -0 is 0
@@ -111,10 +136,10 @@ __device__ inline bool overlap(double x0, double x1, double y0, double y1, doubl
 // Slots first to first + 3. Rays of a warp that are alike miss the same boxes: what follows a box that is met
 // is behind a branch.
 template <int first, class Real>
-__device__ inline void meet_four(MetBoxes& met, const NodeAxis<Real>& x, const NodeAxis<Real>& y,
-                                 const NodeAxis<Real>& z, std::uint32_t near_x, std::uint32_t far_x,
-                                 std::uint32_t near_y, std::uint32_t far_y, std::uint32_t near_z,
-                                 std::uint32_t far_z, std::uint32_t slots, Real t_max) {
+__device__ inline void meet_four(MetBoxes& met, const NodeAxes<Real>& near, const NodeAxes<Real>& far,
+                                 std::uint32_t near_x, std::uint32_t far_x, std::uint32_t near_y,
+                                 std::uint32_t far_y, std::uint32_t near_z, std::uint32_t far_z,
+                                 std::uint32_t slots, Real t_max) {
   // Four slots at a time: those of nodes have bits 3 and 4 set; all bits of the others' bytes.
   const std::uint32_t is_node = (slots & slots << 1) & 0x10101010;
   std::uint32_t others;
@@ -124,11 +149,11 @@ __device__ inline void meet_four(MetBoxes& met, const NodeAxis<Real>& x, const N
   asm("" : "+r"(numbers)); // once, not for each box
   const auto test = [&]<int i>(std::integral_constant<int, i>) {
     std::uint32_t entry;
-    if (!overlap(
-            fma(Real(plane_of(near_x, i)), x.scale, x.start), fma(Real(plane_of(far_x, i)), x.scale, x.start),
-            fma(Real(plane_of(near_y, i)), y.scale, y.start), fma(Real(plane_of(far_y, i)), y.scale, y.start),
-            fma(Real(plane_of(near_z, i)), z.scale, z.start), fma(Real(plane_of(far_z, i)), z.scale, z.start),
-            t_max, entry))
+    const auto t = [](std::uint32_t planes, const NodeAxis<Real>& axis) {
+      return fma(Real(plane_of(planes, i)), axis.scale, axis.start);
+    };
+    if (!overlap(t(near_x, near.x), t(far_x, far.x), t(near_y, near.y), t(far_y, far.y), t(near_z, near.z),
+                 t(far_z, far.z), t_max, entry))
       return;
     // Of a node `unary` is 1, and shifted by 24 + slot.
     const std::uint32_t held = slots >> (8 * i);
@@ -147,18 +172,18 @@ MASU_HD inline std::uint32_t met_bits(std::uint32_t slot) {
   return slot >> 5 << (slot & 0x1f);
 }
 
-template <class Real>
+template <class Real, class Padding = NoPadding>
 MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& origin,
-                                  const Vec3<Real>& inverse, Real t_max) {
-  const NodeAxes<Real> axes = node_axes(node, origin, inverse);
-  const NodeAxis<Real>&x = axes.x, &y = axes.y, &z = axes.z;
+                                  const Vec3<Real>& inverse, Real t_max, const Padding& padding = {}) {
+  const PaddedAxes<Real> axes = padded(node_axes(node, origin, inverse), inverse, padding);
+  const NodeAxes<Real>&near = axes.near, &far = axes.far;
   const bool up_x = inverse.x >= 0, up_y = inverse.y >= 0, up_z = inverse.z >= 0;
   MetBoxes met;
 #ifdef __CUDA_ARCH__
   const auto half = [&]<int i>(std::integral_constant<int, i>) {
     const std::uint32_t lx = node.low[0][i], hx = node.high[0][i], ly = node.low[1][i], hy = node.high[1][i],
                         lz = node.low[2][i], hz = node.high[2][i];
-    meet_four<4 * i>(met, x, y, z, up_x ? lx : hx, up_x ? hx : lx, up_y ? ly : hy, up_y ? hy : ly,
+    meet_four<4 * i>(met, near, far, up_x ? lx : hx, up_x ? hx : lx, up_y ? ly : hy, up_y ? hy : ly,
                      up_z ? lz : hz, up_z ? hz : lz, node.slots[i], t_max);
   };
   half(std::integral_constant<int, 0>{});
@@ -182,8 +207,8 @@ MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& o
       const __m256i bits = _mm256_slli_epi32(eight_bytes(planes), 8) | _mm256_set1_epi32(plane_offset_bits);
       return fma(part_of<Real>(_mm256_castsi256_ps(bits), first), axis.scale, axis.start);
     };
-    const BoxesMet<Real> boxes = boxes_met<Real>({t(near_x, x), t(near_y, y), t(near_z, z)},
-                                                 {t(far_x, x), t(far_y, y), t(far_z, z)}, t_max);
+    const BoxesMet<Real> boxes = boxes_met<Real>({t(near_x, near.x), t(near_y, near.y), t(near_z, near.z)},
+                                                 {t(far_x, far.x), t(far_y, far.y), t(far_z, far.z)}, t_max);
     alignas(32) Real enter[Planes::count];
     boxes.enter.store(enter);
     each_bit(boxes.slots(), [&](int slot) { meet(static_cast<int>(first) + slot, enter[slot]); });
@@ -194,10 +219,10 @@ MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& o
                axis.start);
   };
   for (int slot = 0; slot < boxes_per_node; ++slot) {
-    const Real enter = fast_max(fast_max(t(near_x, slot, x), t(near_y, slot, y)),
-                                fast_max(t(near_z, slot, z), Real(0))),
-               leave = fast_min(fast_min(t(far_x, slot, x), t(far_y, slot, y)),
-                                fast_min(t(far_z, slot, z), t_max));
+    const Real enter = fast_max(fast_max(t(near_x, slot, near.x), t(near_y, slot, near.y)),
+                                fast_max(t(near_z, slot, near.z), Real(0))),
+               leave = fast_min(fast_min(t(far_x, slot, far.x), t(far_y, slot, far.y)),
+                                fast_min(t(far_z, slot, far.z), t_max));
     if (enter <= leave) meet(slot, enter);
   }
 #endif

@@ -119,11 +119,12 @@ struct HierarchyWalk {
 
   // Goes back for a node that the ray enters no farther than `farthest`, or for references, where there is no
   // next node; false at the end.
+  // `floor`: of the stack, below which nothing is taken.
   template <class Limit>
-  MASU_HD bool go_back(HierarchyStack& stack, Limit farthest) {
+  MASU_HD bool go_back(HierarchyStack& stack, Limit farthest, int floor = 0) {
     references.bits = 0;
     while (next == no_node) {
-      if (height == 0) return false;
+      if (height == floor) return false;
       HierarchyGroup group = stack[--height];
       if (!group.has_nodes()) {
         references = group;

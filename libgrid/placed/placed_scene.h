@@ -1,0 +1,74 @@
+// Scenes of placed meshes in host memory: each mesh once, and where it is placed how often.
+#pragma once
+
+#include "libgrid/placed/place_passes.h"
+#include "libgrid/structure/structure.h"
+#include "libscene/passes/host_executor.h"
+
+#include <memory>
+#include <vector>
+
+namespace masu {
+
+// All that doesn't move, and where what does begins. In memory alone: there is no file of it.
+struct PlacedScene {
+  std::shared_ptr<const SceneFile> meshes; // in their own spaces: an object each
+  std::shared_ptr<const SceneFile> beside; // spheres and cones, relative to the scene's origin
+  // Of each mesh the first of its triangles among those of all; and where they end.
+  std::vector<std::uint32_t> mesh_triangles{};
+  std::vector<std::uint32_t> mesh{}, mask{}, world{}, first_triangles{}; // of placements, as PlacedParts
+  std::vector<Transform> transforms{};
+
+  Vec3d origin() const { return beside->origin(); }
+  std::uint32_t count() const { return static_cast<std::uint32_t>(mesh.size()); }
+  std::uint32_t triangle_count() const { return first_triangles.back(); }
+  // Placements first, then the objects of what stands beside them.
+  std::uint64_t objects() const { return count() + beside->counts().objects; }
+  std::uint32_t world_count() const;
+  // Around the boxes of meshes as they are placed at the beginning, relative to a point.
+  Boxd box(const Vec3d& point) const;
+};
+
+inline constexpr std::uint32_t max_worlds = 1 << 20;
+
+// `first_triangles` of placements of these meshes beside so many other primitives. Throws
+// Error(usage, "placements", …) for a mesh or a world that there isn't, a transform that can't be inverted,
+// and more triangles than a scene may have.
+std::vector<std::uint32_t> placed_triangles(const PlacedScene& scene, std::uint64_t beside);
+
+// Meshes and their hierarchies, ready to be placed.
+template <class Stored>
+struct PlaceableMeshes {
+  HostArray<HierarchyNode> nodes{};
+  HostArray<Leaf<Stored>> leaves{};
+  HostArray<std::uint32_t> leaf_of{};
+  std::vector<PlacedMesh<Stored>> meshes{};
+
+  MeshArrays<Stored> view() const { return {nodes.data(), leaves.data(), leaf_of.data()}; }
+};
+
+// Their hierarchies are built on the CPU. Throws as build_hierarchy() does.
+template <class Stored>
+PlaceableMeshes<Stored> placeable_meshes(const PlacedScene& scene, HierarchyQuality quality,
+                                         ProgressMonitor* progress = nullptr);
+
+// A placed scene, ready to be traced on the CPU.
+template <class Stored>
+struct PlacedOnHost {
+  std::shared_ptr<const PlacedScene> scene;
+  std::shared_ptr<const PlaceableMeshes<Stored>> meshes;
+  std::vector<Transform> transforms;
+  PlacedArrays<TbbExecutor, Stored> arrays;
+  bool is_brute_force;
+
+  // Throws as placed() does.
+  PlacedOnHost(std::shared_ptr<const PlacedScene> scene,
+               std::shared_ptr<const PlaceableMeshes<Stored>> meshes, std::vector<Transform> transforms,
+               bool is_brute_force);
+
+  PlacedParts<Stored> parts() const;
+  SceneView<Stored> beside() const; // of all that is traced: see placed_view.h
+  PlacedView<Stored> view() const { return view_of(parts(), arrays, is_brute_force); }
+};
+
+} // namespace masu

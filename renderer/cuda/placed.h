@@ -1,0 +1,21 @@
+// Placed meshes on a CUDA device. CUDA sources only.
+#pragma once
+
+#include "libgrid/placed/place_passes.h"
+#include "libscene/passes/cuda_executor.h"
+#include "renderer/cuda/device_scene.h"
+
+namespace masu {
+
+template <class Stored>
+struct PlacedOnDevice {
+  PlacedParts<Stored> parts;
+  SharedArrays parts_memory; // of what doesn't move
+  DeviceArray<Transform> transforms;
+  PlacedArrays<CudaExecutor, Stored> arrays;
+  bool is_brute_force;
+
+  PlacedView<Stored> view() const { return view_of(parts, arrays, is_brute_force); }
+};
+
+} // namespace masu

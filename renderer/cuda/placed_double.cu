@@ -1,0 +1,10 @@
+#include "renderer/cuda/placed_rays.h"
+
+namespace masu {
+
+template KernelSize launch_placed<WatertightRay<double>>(const DeviceFilesOf<float>&, const RayList&,
+                                                         const RaysRequest&, const RayBatch<double>&);
+template KernelSize launch_placed<WatertightRay<double>>(const DeviceFilesOf<double>&, const RayList&,
+                                                         const RaysRequest&, const RayBatch<double>&);
+
+} // namespace masu

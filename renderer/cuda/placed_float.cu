@@ -1,0 +1,8 @@
+#include "renderer/cuda/placed_rays.h"
+
+namespace masu {
+
+template KernelSize launch_placed<WatertightRay<float>>(const DeviceFilesOf<float>&, const RayList&,
+                                                        const RaysRequest&, const RayBatch<float>&);
+
+} // namespace masu

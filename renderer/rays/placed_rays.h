@@ -1,0 +1,104 @@
+// Queries of placed meshes: how rays see them, and how hits on them are named. One definition for both
+// backends.
+//
+// A triangle's hit is named by its placement, as the object, and its number in the mesh; that of what stands
+// beside them by its object, which follow the placements, and its number among the spheres, then cones.
+#pragma once
+
+#include "libgrid/placed/placed_closest.h"
+#include "renderer/rays/hit_list.h"
+
+namespace masu {
+
+template <class Stored>
+MASU_HD inline PlacedRay<Stored> placed_ray(const PlacedView<Stored>& placed, const RayFilters& filters,
+                                            const PlacedFilters& placed_filters, std::size_t i) {
+  PlacedRay<Stored> ray{placed};
+  if (placed_filters.worlds != nullptr) ray.world = placed_filters.worlds[i];
+  if (placed_filters.excluded_objects != nullptr) ray.excluded_object = placed_filters.excluded_objects[i];
+  if (filters.ray_masks != nullptr) ray.mask = filters.ray_masks[i];
+  ray.object_masks = filters.object_masks;
+  return ray;
+}
+
+// Object and primitive of a triangle's number, or of what stands beside.
+struct PlacedName {
+  std::uint32_t object, primitive;
+};
+template <class Stored>
+MASU_HD inline PlacedName name_of(const SceneView<Stored>& scene, const PlacedView<Stored>& placed,
+                                  PrimitiveIndex number) {
+  if (number >= scene.triangle_count)
+    return {placed.count + surface_of(scene, number).object, number - scene.triangle_count};
+  const std::uint32_t placement = placed.placement_of(number);
+  return {placement, number - placed.first_triangles[placement]};
+}
+
+template <class Stored>
+MASU_HD inline HitFilter filter_of(const PlacedRay<Stored>& seen, const RayFilters& filters, std::size_t i) {
+  const PlacedView<Stored>& placed = seen.placed;
+  HitFilter filter = filters.of(i); // masks: of what stands beside, as surface_of() numbers its objects
+  if (filter.object_masks != nullptr) filter.object_masks += placed.count;
+  if (filter.excluded == no_primitive) return filter;
+  const std::uint32_t object = seen.excluded_object, primitive = filter.excluded;
+  const std::uint64_t first = placed.first_triangles[object < placed.count ? object : placed.count],
+                      number = first + primitive;
+  const bool is_there = object < placed.count ? number < placed.first_triangles[object + 1]
+                                              : object != no_primitive && number < no_primitive;
+  filter.excluded = is_there ? static_cast<PrimitiveIndex>(number) : no_primitive;
+  return filter;
+}
+
+template <class Stored>
+MASU_HD inline PrimitiveIndex reported_primitive(const PlacedRay<Stored>& seen, PrimitiveIndex number) {
+  const PlacedView<Stored>& placed = seen.placed;
+  if (number == no_primitive) return number;
+  const std::uint32_t triangles = placed.triangle_count();
+  return number - (number < triangles ? placed.first_triangles[placed.placement_of(number)] : triangles);
+}
+
+template <class Stored>
+MASU_HD inline void set_name(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen,
+                             PrimitiveIndex number, HitAttributes& found) {
+  const PlacedName name = name_of(scene, seen.placed, number);
+  found.object = name.object;
+  found.face = name.primitive;
+}
+template <class Stored>
+MASU_HD inline Triangle<Stored> triangle_of(const SceneView<Stored>&, const PlacedRay<Stored>& seen,
+                                            PrimitiveIndex number) {
+  return seen.placed.leaf(number).record;
+}
+
+template <class TestRay, class Stored>
+MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen,
+                                     const NearHit<TestRay>& near, const RayResults& results, std::size_t i) {
+  HitAttributes found;
+  const PrimitiveIndex number = near.hit.primitive;
+  if (number != no_primitive) {
+    set_name(scene, seen, number, found);
+    set_surface(
+        scene, near, [&] { return triangle_of(scene, seen, number); }, found);
+  }
+  write_attributes(found, results, i);
+}
+
+// Names ray i's nearest hit, given by its number, whose t counts from its own origin.
+template <class Real, class Stored>
+MASU_HD inline void write_named(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen, Ray<Real> ray,
+                                const Hit<float>& hit, const RayResults& results, std::size_t i) {
+  if (results.primitive != nullptr) results.primitive[i] = reported_primitive(seen, hit.primitive);
+  if (!results.has_attributes()) return;
+  if (hit.primitive == no_primitive)
+    return write_attributes(scene, seen, NearHit<WatertightRay<Real>>{{}, {0, no_primitive}, 0}, results, i);
+  const Real scale = scale_direction(ray);
+  const auto record = [&] {
+    return hit.primitive < scene.triangle_count ? seen.placed.leaf(hit.primitive)
+                                                : leaf_of(scene, hit.primitive);
+  };
+  write_attributes(scene, seen,
+                   hit_again(scene, ray, Hit<Real>{static_cast<Real>(hit.t) / scale, hit.primitive}, record),
+                   results, i);
+}
+
+} // namespace masu

@@ -1,0 +1,133 @@
+#include "renderer/tracer/placed_tracer.h"
+
+#include "libscene/base/error.h"
+#include "libscene/base/on_threads.h"
+#include "libscene/cuda/cuda_device.h"
+#include "libscene/cuda/host_copies.h"
+#include "renderer/backend.h"
+#include "renderer/precision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace masu {
+namespace {
+
+[[noreturn]] void fail(const char* place, const std::string& what) {
+  throw Error(ErrorCode::usage, place, what);
+}
+
+template <class Number>
+void replace(std::vector<Transform>& transforms, const PlacementMoves& moves, const Number* given) {
+  HostCopies copies;
+  const std::size_t numbers = moves.are_square ? 16 : 12;
+  given = copies.of(given, numbers * moves.count);
+  const std::uint32_t* const indices = copies.of(moves.indices, moves.count);
+  for (std::size_t i = 0; i < moves.count; ++i) {
+    const std::size_t placement = indices != nullptr ? indices[i] : i;
+    if (placement >= transforms.size())
+      fail("indices", fmt::format("{} isn't a placement's: there are {}", placement, transforms.size()));
+    for (std::size_t k = 0; k < 12; ++k)
+      transforms[placement].rows[k / 4][k % 4] = static_cast<double>(given[numbers * i + k]);
+  }
+}
+
+} // namespace
+
+PlacedTracer::PlacedTracer(std::shared_ptr<const PlacedScene> scene, HierarchyQuality quality,
+                           bool is_brute_force, std::vector<int> gpus,
+                           const std::function<void(double)>& progress)
+    : gpus_(std::move(gpus)), host_(std::make_shared<const OnHost>([&]() -> OnHost {
+        ProgressMonitor monitor(progress);
+        const auto made = [&]<class Stored>(Stored) {
+          auto meshes = std::make_shared<const PlaceableMeshes<Stored>>(
+              placeable_meshes<Stored>(*scene, quality, &monitor));
+          return PlacedOnHost<Stored>(scene, std::move(meshes), scene->transforms, is_brute_force);
+        };
+        if (scene->meshes->is_float64()) return made(0.0);
+        return made(0.0F);
+      }())) {
+  turn_ = std::make_shared<std::atomic<std::size_t>>(0);
+  files_.resize(gpus_.size());
+  on_threads(gpus_.size(), [&](std::size_t i) {
+    set_up_cuda(gpus_[i]);
+    files_[i] = std::visit([&](const auto& host) { return upload_placed_cuda(host, gpus_[i]); }, *host_);
+  });
+}
+
+const PlacedScene& PlacedTracer::scene() const {
+  return std::visit([](const auto& host) -> const PlacedScene& { return *host.scene; }, *host_);
+}
+
+PlacedTracer PlacedTracer::moved(const PlacementMoves& moves) const {
+  if (moves.indices == nullptr && moves.count != scene().count())
+    fail("placements", fmt::format("are {}, the scene has {}", moves.count, scene().count()));
+  if (!gpus_.empty()) {
+    PlacedTracer tracer = *this;
+    tracer.is_moved_on_gpus_ = true;
+    on_threads(files_.size(),
+               [&](std::size_t i) { tracer.files_[i] = placed_files_cuda(*files_[i], moves); });
+    return tracer;
+  }
+  return std::visit(
+      [&]<class Host>(const Host& host) {
+        std::vector<Transform> transforms = host.transforms;
+        moves.floats != nullptr ? replace(transforms, moves, moves.floats)
+                                : replace(transforms, moves, moves.doubles);
+        return PlacedTracer(*this, Host(host.scene, host.meshes, std::move(transforms), host.is_brute_force));
+      },
+      *host_);
+}
+
+RaysRequest PlacedTracer::resolved(const RayList& rays, const RayResults& results,
+                                   const RaysRequest& request) const {
+  RaysRequest resolved = request;
+  resolved.tracing.precision = masu::resolved(request.tracing.precision, *scene().meshes);
+  if (resolved.tracing.precision == Precision::fast)
+    fail("precision", "fast isn't there for placed meshes: take robust or double");
+  if (request.tracing.count || results.costs.wanted()) fail("rays", "through placed meshes can't be counted");
+  RayList checked = rays;
+  if (rays.filters.object_masks == nullptr) checked.filters.ray_masks = nullptr; // placements have their own
+  check_query(checked, results, resolved, scene().objects());
+  if ((rays.filters.excluded != nullptr) != (rays.placed_filters.excluded_objects != nullptr))
+    fail("exclude", "needs the objects of its primitives, too: placements");
+  return resolved;
+}
+
+RayList PlacedTracer::to_local(RayList rays) const {
+  rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : scene().origin();
+  return rays;
+}
+
+QueryReport PlacedTracer::trace(const RayList& rays, const RayResults& results,
+                                const RaysRequest& request) const {
+  const RaysRequest checked = resolved(rays, results, request);
+  const RayList local = to_local(rays);
+  if (gpus_.empty())
+    return std::visit([&](const auto& host) { return trace_placed_cpu(host, local, results, checked); },
+                      *host_);
+  const std::span all(files_);
+  return trace_by_gpus(rays.count <= rays_per_piece(request)
+                           ? all.subspan(turn_->fetch_add(1, std::memory_order_relaxed) % all.size(), 1)
+                           : all,
+                       local, results, checked);
+}
+
+QueryReport PlacedTracer::trace_on_device(const RayList& rays, const RayResults& results,
+                                          const RaysRequest& request, void* stream, int gpu) const {
+  const auto index = static_cast<std::size_t>(std::ranges::find(gpus_, gpu) - gpus_.begin());
+  return launch_rays_cuda(*files_.at(index), to_local(rays), results, resolved(rays, results, request),
+                          stream);
+}
+
+void PlacedTracer::closest(const RayList& places, const RayResults& results,
+                           const RaysRequest& request) const {
+  if (is_moved_on_gpus_) fail("tracer", "was moved on a GPU: closest points are found in host memory");
+  const RaysRequest checked = resolved(places, results, request);
+  std::visit([&](const auto& host) { closest_placed_cpu(host, to_local(places), results, checked.progress); },
+             *host_);
+}
+
+} // namespace masu

@@ -1,0 +1,76 @@
+// As ResidentTracer (tracer.h), of placed meshes.
+#pragma once
+
+#include "libgrid/placed/placed_scene.h"
+#include "renderer/rays/ray_list.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace masu {
+
+struct DeviceFiles;
+
+// Where placements are now: 12 numbers each, M and t by rows as Transform has them, in host memory or a
+// GPU's.
+struct PlacementMoves {
+  const float* floats = nullptr; // or
+  const double* doubles = nullptr;
+  std::size_t count = 0;
+  const std::uint32_t* indices = nullptr; // of each the placement's number; null: of all, in their order
+  bool are_square = false;                // 16 numbers each: with a last row of 0 0 0 1, which isn't read
+
+  const void* numbers() const { return floats != nullptr ? static_cast<const void*>(floats) : doubles; }
+};
+
+// Queries change nothing in it, and threads may query at the same time.
+class PlacedTracer {
+public:
+  // Throws Error(usage, "placements", …) as placed() does (place_passes.h), Error(device).
+  PlacedTracer(std::shared_ptr<const PlacedScene> scene, HierarchyQuality quality, bool is_brute_force,
+               std::vector<int> gpus, const std::function<void(double)>& progress);
+
+  // Empty on the CPU.
+  const std::vector<int>& gpus() const { return gpus_; }
+
+  // The same meshes placed elsewhere, where all that is wrong is an error.
+  PlacedTracer moved(const PlacementMoves& moves) const;
+
+  // As ResidentTracer's; nothing is counted, and `fast` isn't there.
+  QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
+  QueryReport trace_on_device(const RayList& rays, const RayResults& results, const RaysRequest& request,
+                              void* stream, int gpu) const;
+  // Query::closest_point, of places in host memory: on the CPU. Not by one that has moved on a GPU
+  // (Error(usage)).
+  void closest(const RayList& places, const RayResults& results, const RaysRequest& request) const;
+
+private:
+  using OnHost = std::variant<PlacedOnHost<float>, PlacedOnHost<double>>;
+
+  PlacedTracer(const PlacedTracer& before, OnHost host)
+      : gpus_(before.gpus_), host_(std::make_shared<const OnHost>(std::move(host))) {}
+  RayList to_local(RayList rays) const;
+  const PlacedScene& scene() const;
+  RaysRequest resolved(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
+
+  std::vector<int> gpus_;
+  std::vector<std::shared_ptr<const DeviceFiles>> files_; // of each GPU
+  std::shared_ptr<std::atomic<std::size_t>> turn_;        // of small queries among several GPUs
+  std::shared_ptr<const OnHost> host_;                    // where it began, if it is on GPUs
+  bool is_moved_on_gpus_ = false;
+};
+
+// On the CPU, of lists that are checked.
+template <class Stored>
+void closest_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& places, const RayResults& results,
+                        const std::function<void(double)>& report_progress);
+// The request's precision is resolved.
+template <class Stored>
+QueryReport trace_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& rays, const RayResults& results,
+                             const RaysRequest& request);
+
+} // namespace masu

@@ -1,0 +1,178 @@
+// Placed meshes answer as the scene of their vertices written out, to the bit, through any structure.
+#include "stability/random_seed.h"
+#include "tests/api/placed_scene.h"
+
+namespace {
+
+using namespace masu;
+
+class Placed : public testing::Test {
+protected:
+  static Tracer brute_force(const Scene& scene) { return {scene, nullptr, {}, true}; }
+
+  const RandomSeed seed_;
+  std::mt19937_64 engine_ = seed_.engine();
+
+private:
+  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
+};
+
+constexpr std::size_t ray_count = 400, place_count = 80;
+
+TEST_F(Placed, FindTheSameAsWrittenOut) {
+  for (const PlacedKind& kind : placed_kinds()) {
+    PlacedScenes scenes(engine_, kind);
+    const auto rays = scenes.rays(ray_count);
+    const auto places = scenes.places(place_count);
+    for (const masu_precision precision : {MASU_PRECISION_AUTO, MASU_PRECISION_DOUBLE}) {
+      SCOPED_TRACE(testing::Message()
+                   << "kind " << &kind - placed_kinds().data() << ", extent " << kind.extent << ", stretch "
+                   << kind.stretch << ", precision " << precision);
+      QueryOptions options;
+      options.precision = precision;
+      const PlacedFound expected =
+          found_by(Tracer(scenes.written_out()), rays, places, options, nullptr, scenes.center());
+      const Scene scene = scenes.placed();
+      expect_same(found_by(Tracer(scene), rays, places, options, &scenes), expected);
+      if (precision == MASU_PRECISION_AUTO && kind.placements < 100)
+        expect_same(found_by(brute_force(scene), rays, places, options, &scenes), expected);
+    }
+  }
+}
+
+TEST_F(Placed, MovedOnesAreThoseOfANewScene) {
+  for (const PlacedKind& kind : placed_kinds()) {
+    PlacedScenes scenes(engine_, kind);
+    Tracer tracer(scenes.placed());
+    scenes.move();
+    tracer.place(std::span<const Matrix>(scenes.transforms));
+    const auto rays = scenes.rays(ray_count);
+    expect_same(found_by(tracer, rays, {}, {}, &scenes),
+                found_by(Tracer(scenes.written_out()), rays, {}, {}, nullptr, scenes.center()));
+    const auto before = scenes.transforms;
+    scenes.move();
+    const std::vector<std::uint32_t> indices{3, 0};
+    const std::vector<Matrix> moved{scenes.transforms[3], scenes.transforms[0]};
+    tracer.place(std::span<const Matrix>(moved), indices);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (i != 0 && i != 3) scenes.transforms[i] = before[i];
+    expect_same(found_by(tracer, rays, {}, {}, &scenes),
+                found_by(Tracer(scenes.written_out()), rays, {}, {}, nullptr, scenes.center()));
+  }
+}
+
+// Of a ray those that share a bit, of its world; by the written-out scene's masks.
+TEST_F(Placed, MasksWorldsAndExclusionsAreThoseOfObjects) {
+  PlacedKind kind;
+  kind.worlds = 3;
+  kind.extent = 3;
+  kind.are_quadrics_beside = true;
+  kind.placements = 40;
+  PlacedScenes scenes(engine_, kind);
+  const Tracer tracer(scenes.placed()), written(scenes.written_out()), brute = brute_force(scenes.placed());
+  const auto rays = scenes.rays(ray_count);
+  const auto places = scenes.places(ray_count);
+  for (std::uint32_t world = 0; world < 4; ++world) {
+    for (const bool with_masks : {false, true}) {
+      for (const bool with_own : {false, true}) {
+        SCOPED_TRACE(testing::Message() << world << with_masks << with_own);
+        const std::uint32_t mask = with_own ? 5 : ~0U;
+        std::vector<std::uint32_t> masks = scenes.numbers(scenes.object_count(), 8),
+                                   written_masks(masks.size());
+        for (std::uint32_t i = 0; i < masks.size(); ++i)
+          written_masks[i] = scenes.sees(world, i) && (scenes.mask_of(i) & mask) != 0 &&
+                             (!with_masks || (masks[i] & mask) != 0);
+        const std::vector<std::uint32_t> worlds(rays.size(), world), ray_masks(rays.size(), mask);
+        QueryOptions options, written_options;
+        options.worlds = worlds.data();
+        if (with_masks) options.object_masks = masks;
+        if (with_own) options.ray_masks = ray_masks.data();
+        written_options.object_masks = written_masks;
+        const PlacedFound expected =
+            found_by(written, rays, places, written_options, nullptr, scenes.center());
+        expect_same(found_by(tracer, rays, places, options, &scenes), expected);
+        expect_same(found_by(brute, rays, places, options, &scenes), expected);
+        auto primitives = scenes.numbers(rays.size(), scenes.triangles()), objects = expected.object;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+          if (objects[i] != MASU_NONE)
+            primitives[i] = expected.primitive[i] - scenes.written_number(objects[i], 0);
+        std::vector<std::uint32_t> excluded(rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i)
+          excluded[i] = scenes.written_number(objects[i], primitives[i]);
+        options.exclude = primitives.data();
+        options.exclude_objects = objects.data();
+        written_options.exclude = excluded.data();
+        expect_same(found_by(tracer, rays, places, options, &scenes),
+                    found_by(written, rays, places, written_options, nullptr, scenes.center()));
+      }
+    }
+  }
+}
+
+template <class Act>
+std::string refused(const Act& act) {
+  try {
+    act();
+  } catch (const Exception& error) {
+    EXPECT_EQ(error.status, MASU_ERROR_USAGE);
+    return error.what();
+  }
+  ADD_FAILURE() << "was done";
+  return {};
+}
+
+TEST_F(Placed, WhatCantBePlacedIsAnErrorAndNothingMoves) {
+  PlacedScenes scenes(engine_, {});
+  const Scene scene = scenes.placed();
+  Tracer tracer(scene);
+  const auto rays = scenes.rays(200);
+  const PlacedFound before = found_by(tracer, rays, {}, {}, &scenes);
+  const double nan = std::nan(""), infinity = INFINITY;
+  const Matrix identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  for (const double wrong : {nan, infinity, -infinity, 1e300, 1e20}) {
+    for (std::size_t i = 0; i < 12; ++i) {
+      Matrix moved = identity;
+      moved[i] = wrong;
+      scenes.transforms[5] = moved;
+      EXPECT_NE(
+          refused([&] { tracer.place(std::span<const Matrix>(scenes.transforms)); }).find("placements: "),
+          std::string::npos);
+    }
+  }
+  for (const Matrix& moved :
+       {Matrix{}, Matrix{1, 2, 3, 0, 2, 4, 6, 0, 0, 0, 1, 0}, Matrix{1, 0, 0, 0, 0, 1, 0, 0},
+        Matrix{1e-14, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}) {
+    scenes.transforms[5] = moved;
+    EXPECT_NE(refused([&] {
+                tracer.place(std::span<const Matrix>(scenes.transforms));
+              }).find("number 5 can't be inverted"),
+              std::string::npos);
+  }
+  refused([&] { scenes.placed(); });
+  scenes.transforms.pop_back();
+  refused([&] { tracer.place(std::span<const Matrix>(scenes.transforms)); });
+  const std::vector<std::uint32_t> far{20};
+  refused([&] { tracer.place(std::span<const Matrix>(&identity, 1), far); });
+  refused([&] { tracer.place(sized<masu_transforms>()); });
+  expect_same(found_by(tracer, rays, {}, {}, &scenes), before);
+
+  refused([&] { scene.write("/nonexistent"); });
+  refused([&] { Grid grid(scene); });
+  refused([&] { tracer.grid(); });
+  refused([&] { tracer.update(std::vector<float>(9)); });
+  refused([&] { static_cast<void>(scene.primitive(0)); });
+  QueryOptions options;
+  const std::vector<std::uint32_t> numbers(rays.size());
+  options.exclude = numbers.data();
+  refused([&] { tracer.nearest(rays, options); });
+  options = {};
+  options.precision = MASU_PRECISION_FAST;
+  refused([&] { tracer.nearest(rays, options); });
+  Tracer written(scenes.written_out());
+  options = {};
+  options.worlds = numbers.data();
+  refused([&] { written.nearest(rays, options); });
+  refused([&] { written.place(std::span<const Matrix>(&identity, 1)); });
+}
+
+} // namespace
