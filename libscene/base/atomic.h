@@ -1,4 +1,5 @@
-// What many threads do to a word at once, in any order (relaxed, but for arrived()): one definition for host and device.
+// What many threads do to a word at once, in any order (relaxed, but for arrived()): one definition for host
+// and device.
 #pragma once
 
 #include "libscene/base/portable.h"
