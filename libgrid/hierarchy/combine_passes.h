@@ -11,8 +11,8 @@
 namespace masu {
 
 // `levels`: of as many `ranges` as there are nodes of a depth; the children of the first of them are the
-// first two of the next level, and so on. They are given up, the lowest first. split_nodes() are for passes
-// what is known of them: of node i whether it is_leaf(i), then its leaf(i), else its first_child(i) in the
+// first two of the next level, and so on. They are given up, the lowest first. split_nodes() say of
+// node i whether it is_leaf(i), then its leaf(i), else its first_child(i) in the
 // next level, and its box(i, left child, right child).
 template <class Executor, class Level>
 BinaryHierarchy<Executor> combined(Executor& executor, std::vector<Level> levels) {

@@ -39,7 +39,7 @@ struct RangeSums {
   }
 };
 
-// What is known of a level's nodes before those below are made.
+// A level's nodes as combined() asks for them (combine_passes.h).
 struct DividedNodes {
   const FragmentRange* ranges;
   const BinaryNode* nodes;

@@ -164,7 +164,7 @@ private:
   }
 };
 
-// What is known of a level's nodes before those below are made.
+// A level's nodes as combined() asks for them (combine_passes.h).
 struct SplitNodes {
   const BinaryNode* leaves;
   const LeafRange* ranges;

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace masu {
@@ -90,9 +91,9 @@ MASU_HD inline void join_placed_bounds(const MeshArrays<Stored>& meshes, const P
     Stored reaches[boxes_per_node];
     for (std::uint32_t slot = 0; slot < boxes_per_node; ++slot) {
       const std::uint32_t held = slot_byte(node.slots, static_cast<int>(slot));
-      if (held == 0 || !(reach(node, slot) > 0)) continue;
+      const Stored own = held != 0 ? reach(node, slot) : Stored{0};
+      if (!(own > 0)) continue;
       if ((node_slots(node) >> slot & 1) != 0) {
-        const Stored own = reach(node, slot);
         int at = height++;
         for (; at > floor && reaches[at - floor - 1] > own; --at) {
           stack[at] = stack[at - 1];
@@ -161,7 +162,7 @@ MASU_HD inline Boxd around_all(const PlacedParts<Stored>& parts, const PlacedSur
   return join(cast<double>(survey.around), parts.beside_bounds);
 }
 
-// What is known of the bounds, and the first placement that is too large for the others' reach.
+// The bounds found so far, and the first placement that is too large for the others' reach.
 template <class Stored>
 struct PlacedBounds {
   Box<Stored> box = empty_box<Stored>();

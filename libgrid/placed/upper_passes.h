@@ -61,7 +61,7 @@ struct RangeTree {
   }
 };
 
-// Of a place along the curve: as few as separate what is many.
+// Of a key, for the place along the curve: 1024 along each axis. Fewer bits are sorted in fewer passes.
 inline constexpr int code_bits = 30;
 
 // A node has divided all that shares fewer than three bits more than itself, which are no more than seven.
