@@ -235,11 +235,10 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
                        gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
     tracer.trace_on_device(list, results, request, wanted.stream, place);
   };
-  if (state->placed && is_of_places) {
-    if (place != host_memory) fail("places", "must lie in host memory: the scene has placements");
-    return on_threads_up_to(wanted.threads, [&] { state->placed->closest(list, results, request); });
+  if (state->placed) {
+    if (loop == MASU_LOOP_AUTO) request.loop = state->placed->usual_loop(wanted.coherent != 0);
+    return trace_by(*state->placed);
   }
-  if (state->placed) return trace_by(*state->placed);
   const ResidentTracer& tracer = *state->tracer;
   if (loop == MASU_LOOP_AUTO && state->grid && tracer.device() == Device::cuda && !is_of_places &&
       !needs_hits_in_order(list, results, request))

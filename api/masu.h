@@ -559,8 +559,7 @@ MASU_API masu_status masu_winding(const masu_tracer* tracer, const void* places,
  * Places and results lie where rays and results may, and are queued likewise (masu_nearest()). Of the query,
  * exclude and masks say what isn't looked for; `threads`, `relative` and `stream` are as for rays. All is
  * computed in double: off by some roundings of the largest coordinate. Where the tracer's grid isn't a
- * hierarchy, the first call builds one, and on GPUs puts the scene there once more. Of placed meshes all is
- * in host memory and computed on the CPU, and not once they have moved on a GPU. */
+ * hierarchy, the first call builds one, and on GPUs puts the scene there once more. */
 MASU_API masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t count,
                                   const masu_query* query, const masu_hits* hits, double* points);
 

@@ -109,6 +109,8 @@ std::unique_ptr<masu_scene> placed(const masu_geometry& given, std::span<const I
                    std::memcpy(&scene->transforms.emplace_back(), placement.transform, sizeof(Transform));
                  });
   scene->first_triangles = placed_triangles(*scene, beside.spheres.size() + beside.cones.size());
+  for (const std::uint32_t world : scene->world)
+    if (world != every_world) scene->world_count = std::max(scene->world_count, world + 1);
   const Boxd box = join(scene->box(zero), bounds(beside));
   scene->beside = shared(
       scene_in_memory(beside, store, origin_for(beside, origin ? origin : automatic_origin(box)), progress));

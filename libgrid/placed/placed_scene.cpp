@@ -69,13 +69,6 @@ void add_mesh(std::span<const Triangle<Stored>> triangles, HierarchyQuality qual
 
 } // namespace
 
-std::uint32_t PlacedScene::world_count() const {
-  std::uint32_t worlds = 0;
-  for (const std::uint32_t own : world)
-    if (own != every_world) worlds = std::max(worlds, own + 1);
-  return worlds;
-}
-
 Boxd PlacedScene::box(const Vec3d& point) const {
   return meshes->with_view([&]<class Stored>(const SceneView<Stored>& view) {
     std::vector<Box<Stored>> boxes(mesh_triangles.size() - 1);
@@ -143,7 +136,7 @@ template <class Stored>
 PlacedParts<Stored> PlacedOnHost<Stored>::parts() const {
   return {meshes->view(),     meshes->meshes.data(),         scene->mesh.data(),
           scene->mask.data(), scene->world.data(),           scene->first_triangles.data(),
-          scene->count(),     scene->world_count(),          scene->triangle_count(),
+          scene->count(),     scene->world_count,          scene->triangle_count(),
           scene->origin(),    scene->beside->view<Stored>(), scene->beside->bounds()};
 }
 

@@ -18,13 +18,13 @@ struct PlacedScene {
   std::vector<std::uint32_t> mesh_triangles{};
   std::vector<std::uint32_t> mesh{}, mask{}, world{}, first_triangles{}; // of placements, as PlacedParts
   std::vector<Transform> transforms{};
+  std::uint32_t world_count = 0; // one more than the highest
 
   Vec3d origin() const { return beside->origin(); }
   std::uint32_t count() const { return static_cast<std::uint32_t>(mesh.size()); }
   std::uint32_t triangle_count() const { return first_triangles.back(); }
   // Placements first, then the objects of what stands beside them.
   std::uint64_t objects() const { return count() + beside->counts().objects; }
-  std::uint32_t world_count() const;
   // Around the boxes of meshes as they are placed at the beginning, relative to a point.
   Boxd box(const Vec3d& point) const;
 };

@@ -14,43 +14,77 @@ struct PlacedWalk {
 
   HierarchyWalk<Real> walk; // of the level that it is in
   Vec3<Real> origin;        // of the ray there
-  Real padding;             // of planes
+  Real outwards;            // that planes are moved
   std::uint32_t placement;  // in whose mesh it is, or none
 
-  template <class Stored, class TestRay>
-  MASU_HD void begin(const PlacedRay<Stored>& seen, const TestRay& ray, HierarchyStack& stack) {
-    walk = {};
-    leave(ray);
-    walk.next = HierarchyWalk<Real>::no_node;
+  template <class Stored>
+  MASU_HD void begin(const PlacedRay<Stored>& seen, const ClippedRay<Real>& near, HierarchyStack& stack) {
+    walk.begin(near);
+    placement = none;
+    origin = near.ray.origin;
+    outwards = 0;
     const PlacedView<Stored>& placed = seen.placed;
-    const auto visit_later = [&](std::uint32_t root) {
-      if (root != no_root) push(stack, walk.height, nodes_group(root, 1, 1, 0));
-    };
-    if (seen.world < placed.world_count) visit_later(placed.roots[seen.world]);
-    visit_later(placed.roots[placed.world_count]);
-    walk.go_back(stack, RealTraits<Real>::largest);
+    const std::uint32_t own = seen.world < placed.world_count ? placed.roots[seen.world] : no_root,
+                        of_all = placed.roots[placed.world_count];
+    walk.next = own != no_root ? own : of_all;
+    if (own != no_root && of_all != no_root) push(stack, walk.height, nodes_group(of_all, 1, 1, 0));
   }
 
-  // As HierarchyWalk::advance().
+  // As HierarchyWalk's, and the following.
   template <class Stored, class Visitor>
   MASU_HD bool advance(const PlacedRay<Stored>& seen, HierarchyStack& stack, Visitor& visitor) {
-    constexpr std::uint32_t no_node = HierarchyWalk<Real>::no_node;
-    const PlacedView<Stored>& placed = seen.placed;
-    HierarchyNode node;
-    if (walk.next != no_node) {
-      node = fetched((placement == none ? placed.upper_nodes : placed.of_meshes.nodes) + walk.next);
-      if (placement == none && node_slots(node) == 0) {
-        visit_item(seen, node.first_reference, stack, visitor);
-        if (walk.next != no_node) node = fetched(placed.of_meshes.nodes + walk.next);
-      }
-    }
-    if (walk.next != no_node) {
-      const MetBoxes met = boxes_met(node, origin, walk.inverse, visitor.farthest(), padding);
+    if (comes_to_node(seen, stack, visitor)) {
+      const HierarchyNode next_node = fetched(node(seen));
+      const MetBoxes met = boxes_met(next_node, origin, walk.inverse, visitor.farthest(), outwards);
       visitor.counts.cell(met.bits == 0);
-      walk.template enter<needs_order<Visitor>>(node, met, stack);
+      walk.template enter<needs_order<Visitor>>(next_node, met, stack);
     }
-    test(placed, stack, visitor);
-    if (visitor.ends()) return false;
+#ifdef __CUDA_ARCH__
+    const int testing = __popc(__activemask());
+#endif
+    while (walk.references.bits != 0) {
+#ifdef __CUDA_ARCH__
+      if (__popc(__activemask()) * 4 < testing) {
+        push(stack, walk.height, walk.references);
+        break;
+      }
+#endif
+      const int leaf = lowest_bit(walk.references.bits);
+      walk.references.bits &= walk.references.bits - 1;
+      show_reference(seen, walk.references.first + static_cast<std::uint32_t>(leaf), visitor);
+    }
+    return !visitor.ends() && comes_back(stack, visitor);
+  }
+
+  MASU_HD HierarchyWalk<Real>& level() {
+    return walk;
+  }
+  template <class Stored, class Visitor>
+  MASU_HD bool comes_to_node(const PlacedRay<Stored>& seen, HierarchyStack& stack, Visitor& visitor) {
+    if (walk.next == no_node) return false;
+    if (placement == none) {
+      const HierarchyNode& node = seen.placed.upper_nodes[walk.next];
+      if (node_slots(node) == 0) visit_item(seen, node.first_reference, stack, visitor);
+    }
+    return walk.next != no_node;
+  }
+  template <class Stored>
+  MASU_HD const HierarchyNode* node(const PlacedRay<Stored>& seen) const {
+    return (placement == none ? seen.placed.upper_nodes : seen.placed.of_meshes.nodes) + walk.next;
+  }
+  template <class TestRay>
+  MASU_HD const Vec3<Real>& origin_of(const TestRay&) const {
+    return origin;
+  }
+  MASU_HD Real padding() const {
+    return outwards;
+  }
+  template <class Stored, class Visitor>
+  MASU_HD void show_reference(const PlacedRay<Stored>& seen, std::uint32_t leaf, Visitor& visitor) const {
+    visitor.leaf(seen.placed.leaf(placement, leaf));
+  }
+  template <class Visitor>
+  MASU_HD bool comes_back(HierarchyStack& stack, Visitor& visitor) {
     while (walk.go_back(stack, visitor.farthest())) {
       if (!is_mark(walk.references) || walk.next != no_node) return true;
       if (walk.height == 0) return false; // nothing above it is left
@@ -60,32 +94,22 @@ struct PlacedWalk {
   }
 
 private:
-  // On the stack below all that is of a placement's mesh.
-  MASU_HD static HierarchyGroup mark() { return {none, 0}; }
-  MASU_HD static bool is_mark(const HierarchyGroup& group) { return group.bits == 0; }
+  static constexpr std::uint32_t no_node = HierarchyWalk<Real>::no_node;
 
-  // Shows the visitor the mesh's triangles in the boxes that were met.
-  template <class Stored, class Visitor>
-  MASU_HD void test(const PlacedView<Stored>& placed, [[maybe_unused]] HierarchyStack& stack,
-                    Visitor& visitor) {
-#ifdef __CUDA_ARCH__
-    const int testing = __popc(__activemask());
-#endif
-    while (walk.references.bits != 0) {
-#ifdef __CUDA_ARCH__
-      if (__popc(__activemask()) * 4 < testing) return push(stack, walk.height, walk.references);
-#endif
-      const int leaf = lowest_bit(walk.references.bits);
-      walk.references.bits &= walk.references.bits - 1;
-      visitor.leaf(placed.leaf(placement, walk.references.first + static_cast<std::uint32_t>(leaf)));
-    }
+  // On the stack below all that is of a placement's mesh.
+  MASU_HD static HierarchyGroup mark() {
+    return {none, 0};
   }
+  MASU_HD static bool is_mark(const HierarchyGroup& group) {
+    return group.bits == 0;
+  }
+
   // Enters a placement, or shows the visitor what stands beside them.
   template <class Stored, class Visitor>
   MASU_HD void visit_item(const PlacedRay<Stored>& seen, std::uint32_t item, HierarchyStack& stack,
                           Visitor& visitor) {
     const PlacedView<Stored>& placed = seen.placed;
-    walk.next = HierarchyWalk<Real>::no_node;
+    walk.next = no_node;
     if (item >= placed.count) return visitor.primitive(placed.triangle_count() + (item - placed.count));
     const Placement<Stored> own = fetched(placed.placements + item);
     if (!seen.sees(item, own)) return;
@@ -93,7 +117,7 @@ private:
     placement = item;
     origin = carried_point(own, visitor.ray.origin);
     invert(carried(own, visitor.ray.direction));
-    padding = static_cast<Real>(own.padding);
+    outwards = static_cast<Real>(own.padding);
     walk.next = own.root;
   }
   template <class TestRay>
@@ -101,16 +125,28 @@ private:
     placement = none;
     origin = ray.origin;
     invert(ray.direction);
-    padding = 0;
+    outwards = 0;
   }
   MASU_HD void invert(const Vec3<Real>& direction) {
-    walk.inverse = bounded_inverse<Real>(
-        {{}, {finite_inverse(direction.x), finite_inverse(direction.y), finite_inverse(direction.z)}, 0});
+    walk.inverse = {bounded_reciprocal(direction.x), bounded_reciprocal(direction.y),
+                    bounded_reciprocal(direction.z)};
+  }
+  // As bounded_inverse() has them; in float32 on a GPU within an ulp.
+  MASU_HD static Real bounded_reciprocal(Real along) {
+    constexpr Real limit = 0x1p64F;
+#ifdef __CUDA_ARCH__
+    if constexpr (std::is_same_v<Real, float>) {
+      asm("rcp.approx.ftz.f32 %0, %0;" : "+f"(along));
+      return fast_min(fast_max(along, -limit), limit);
+    }
+#endif
+    return fast_min(fast_max(finite_inverse(along), -limit), limit);
   }
 };
 // A node of a mesh's hierarchy leaves two groups at most, one above it a single one; roots and a mark are
 // three.
 static_assert(2 * max_hierarchy_depth + max_upper_levels + 3 <= max_stack_height);
+static_assert(no_root == HierarchyWalk<float>::no_node);
 
 // Every triangle of every placement that the ray sees, and what stands beside them.
 template <class Stored, class Visitor>
@@ -129,12 +165,12 @@ MASU_HD inline void visit_all_placed(const PlacedRay<Stored>& seen, std::uint32_
 }
 
 template <class Stored, class Real, class Visitor>
-MASU_HD inline void visit(const PlacedRay<Stored>& seen, const ClippedRay<Real>&, std::uint32_t primitives,
-                          Visitor& visitor) {
+MASU_HD inline void visit(const PlacedRay<Stored>& seen, const ClippedRay<Real>& near,
+                          std::uint32_t primitives, Visitor& visitor) {
   if (seen.placed.is_brute_force) return visit_all_placed(seen, primitives, visitor);
   HierarchyStack stack;
   PlacedWalk<Real> walk;
-  walk.begin(seen, visitor.ray, stack);
+  walk.begin(seen, near, stack);
   while (walk.advance(seen, stack, visitor)) {
   }
 }

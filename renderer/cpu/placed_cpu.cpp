@@ -46,11 +46,9 @@ void trace(const PlacedOnHost<Stored>& host, const RayList& rays, const RayResul
   });
 }
 
-} // namespace
-
 template <class Stored>
-void closest_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& places, const RayResults& results,
-                        const std::function<void(double)>& report_progress) {
+void find_closest(const PlacedOnHost<Stored>& host, const RayList& places, const RayResults& results,
+                  const std::function<void(double)>& report_progress) {
   check_closest(host.arrays.bounds);
   const SceneView<Stored> scene = host.beside();
   const PlacedView<Stored> placed = host.view();
@@ -64,10 +62,8 @@ void closest_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& places,
     }
   });
 }
-template void closest_placed_cpu(const PlacedOnHost<float>&, const RayList&, const RayResults&,
-                                 const std::function<void(double)>&);
-template void closest_placed_cpu(const PlacedOnHost<double>&, const RayList&, const RayResults&,
-                                 const std::function<void(double)>&);
+
+} // namespace
 
 template <class Stored>
 QueryReport trace_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& rays, const RayResults& results,
@@ -79,7 +75,9 @@ QueryReport trace_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& ra
     triangles_alone ? trace<Method<TestRay, with_triangles>>(host, rays, results, request)
                     : trace<Method<TestRay, with_all_kinds>>(host, rays, results, request);
   };
-  if constexpr (sizeof(Stored) == sizeof(float)) {
+  if (request.query == Query::closest_point) {
+    find_closest(host, rays, results, request.progress);
+  } else if constexpr (sizeof(Stored) == sizeof(float)) {
     if (request.tracing.precision != Precision::doubled)
       trace_as(Arithmetic<WatertightRay<float>>{});
     else

@@ -24,19 +24,26 @@ inline constexpr unsigned rays_in_advance = 96, plenty_for_a_warp = 256;
 
 // Of a warp that has no more rays to fetch, so many are traced by groups of 2 and of 4 lanes. By 8 lanes a
 // step takes no fewer instructions than by 4.
-inline constexpr int max_rays_by_pairs = walks_in_use::lane_groups ? lanes_per_warp / 2 : 0,
-                     max_rays_by_fours = max_rays_by_pairs / 2;
+inline constexpr int max_rays_by_pairs = lanes_per_warp / 2, max_rays_by_fours = max_rays_by_pairs / 2;
 
 // What a kernel needs to know of how rays walk through a hierarchy. Those through placed meshes walk another
 // way (placed_rays.h).
 template <class Hierarchy>
 struct WalksThrough {
-  template <class TestRay>
-  using Ray = WalkingRay<TestRay>;
+  template <class Real>
+  using Walk = HierarchyWalk<Real>;
   template <class M>
-  static constexpr int threads_wanted = resident_threads_wanted<M>;
-  static constexpr int max_last_rays = max_rays_by_pairs; // which groups of lanes trace
+  static constexpr int packet_threads_wanted = resident_threads_wanted<M>;
+  // Of a warp, which groups of lanes trace: where its rays began as a packet, and where it fetched them.
+  static constexpr int last_of_packet = max_rays_by_pairs, last_fetched = max_rays_by_pairs;
 };
+template <class M>
+constexpr int by_groups(int rays) {
+  return walks_in_use::lane_groups && std::is_same_v<typename M::Real, float> ? rays : 0;
+}
+template <class M, class Hierarchy>
+using RayThrough =
+    WalkingRay<typename M::TestRay, typename WalksThrough<Hierarchy>::template Walk<typename M::Real>>;
 template <class Hierarchy>
 __device__ inline const Hierarchy& seen_by_rays(const Hierarchy& hierarchy) {
   return hierarchy;
@@ -77,7 +84,7 @@ __device__ inline void write_end(const RayResults& results, const RayEnds<Real>&
 // returns one lane of each. `holders`, too, is one lane of each ray.
 template <int log2, int left_over, Query query, class M, class Stored, class Hierarchy>
 __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const Hierarchy& hierarchy,
-                                           unsigned holders, WalkingRay<typename M::TestRay>& own,
+                                           unsigned holders, RayThrough<M, Hierarchy>& own,
                                            HierarchyStack& stack, const RayEnds<typename M::Real>* ends,
                                            std::uint32_t* sources, const RayResults& results) {
   if (__popc(holders) <= left_over) return holders;
@@ -87,7 +94,7 @@ __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const
     const auto& end = ends[own.thread];
     const bool had_ray = has_ray;
     has_ray = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
-      return advance_group<log2>(hierarchy, own.walk, stack, visitor, had_ray);
+      return advance_group<log2>(own.walk, seen_by_rays(hierarchy), stack, visitor, had_ray);
     });
     if (had_ray && !has_ray && is_first) write_end<query>(results, end, own.nearest);
     holders = __ballot_sync(all_lanes, has_ray && is_first);
@@ -114,24 +121,28 @@ __device__ inline bool fetch_ray(const SceneView<Stored>& scene, const Ray<Real>
   return true;
 }
 template <class Hierarchy, class TestRay>
-__device__ inline void begin_ray(const Hierarchy&, const ClippedRay<typename TestRay::Real>& near,
-                                 std::uint32_t, WalkingRay<TestRay>& own, HierarchyStack&) {
+__device__ inline void
+begin_ray(const Hierarchy&, const ClippedRay<typename TestRay::Real>& near, std::uint32_t,
+          WalkingRay<TestRay, HierarchyWalk<typename TestRay::Real>>& own, HierarchyStack&) {
   own.nearest = {near.ray.t_max, 0};
   prepare(own.test_ray, near.ray.origin, near.ray.direction);
   own.walk.begin(near);
 }
 
-// Goes on with a warp's last rays, each of one of its lanes, by groups of lanes.
-template <Query query, class M, class Stored, class Hierarchy>
+// Goes on with a warp's last rays, no more than `last` and each of one of its lanes, by groups of lanes.
+template <int last, Query query, class M, class Stored, class Hierarchy>
 __device__ inline void trace_last_rays(const SceneView<Stored>& scene, const Hierarchy& hierarchy,
-                                       bool has_ray, WalkingRay<typename M::TestRay>& own,
-                                       HierarchyStack& stack, const RayEnds<typename M::Real>* ends,
-                                       std::uint32_t* sources, const RayResults& results) {
-  if constexpr (!walks_in_use::lane_groups) return;
-  std::uint32_t* const warp_sources = sources + threadIdx.x / lanes_per_warp * lanes_per_warp;
-  const unsigned left = trace_by_groups<1, max_rays_by_fours, query, M>(
-      scene, hierarchy, __ballot_sync(all_lanes, has_ray), own, stack, ends, warp_sources, results);
-  trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, ends, warp_sources, results);
+                                       bool has_ray, RayThrough<M, Hierarchy>& own, HierarchyStack& stack,
+                                       const RayEnds<typename M::Real>* ends, std::uint32_t* sources,
+                                       const RayResults& results) {
+  if constexpr (last != 0) {
+    std::uint32_t* const warp_sources = sources + threadIdx.x / lanes_per_warp * lanes_per_warp;
+    unsigned left = __ballot_sync(all_lanes, has_ray);
+    if constexpr (last > max_rays_by_fours)
+      left = trace_by_groups<1, max_rays_by_fours, query, M>(scene, hierarchy, left, own, stack, ends,
+                                                             warp_sources, results);
+    trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, ends, warp_sources, results);
+  }
 }
 
 // Boxes of references of a node that a packet tests: triangles' are small beside a packet, and many.
@@ -140,8 +151,9 @@ constexpr int max_packet_leaves = M::kinds == with_triangles ? 1 : 2;
 
 // Traces a list of rays, a thread each; a warp's begin as a packet.
 template <Query query, class M, class Stored, class Hierarchy>
-__global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
-    packet_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
+__global__ void __launch_bounds__(rays_per_block,
+                                  WalksThrough<Hierarchy>::template packet_threads_wanted<M> / rays_per_block)
+    packet_kernel(const SceneView<Stored> scene, const __grid_constant__ Hierarchy hierarchy,
                   const Ray<typename M::Real>* const rays, const std::uint32_t count,
                   const RayResults results) {
   // What is needed of a ray when it is begun and ended would take up registers.
@@ -149,8 +161,9 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   __shared__ std::uint32_t sources[rays_per_block]; // of regroup()
   __shared__ PacketBoxes packets[rays_per_block / lanes_per_warp];
   auto& end = ends[threadIdx.x];
+  constexpr int max_last_rays = by_groups<M>(WalksThrough<Hierarchy>::last_of_packet);
   HierarchyStack stack;
-  WalkingRay<typename M::TestRay> own{};
+  RayThrough<M, Hierarchy> own{};
   own.thread = threadIdx.x;
   const std::uint32_t number = blockIdx.x * rays_per_block + threadIdx.x;
   ClippedRay<typename M::Real> near{};
@@ -159,25 +172,25 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   if (has_ray) begin_ray(hierarchy, near, number, own, stack);
   bool under_way = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
     if constexpr (!walks_in_use::packet_begin) return has_ray;
-    return begin_packet<max_packet_leaves<M>>(hierarchy, own.walk, stack, visitor, has_ray,
+    return begin_packet<max_packet_leaves<M>>(seen_by_rays(hierarchy), own.walk, stack, visitor, has_ray,
                                               packets[threadIdx.x / lanes_per_warp]);
   });
-  if (__popc(__ballot_sync(all_lanes, under_way)) > max_rays_by_pairs) {
+  if (__popc(__ballot_sync(all_lanes, under_way)) > max_last_rays) {
     while (under_way) {
-      under_way = goes_on<query, M>(
-          scene, own, end, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
-      if (__popc(__activemask()) <= max_rays_by_pairs) break;
+      under_way = goes_on<query, M>(scene, own, end, [&](auto& visitor) {
+        return own.walk.advance(seen_by_rays(hierarchy), stack, visitor);
+      });
+      if (__popc(__activemask()) <= max_last_rays) break;
     }
   }
   if (has_ray && !under_way) write_end<query>(results, end, own.nearest);
   __syncwarp(); // for `ends`, which other lanes read now
-  trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
+  trace_last_rays<max_last_rays, query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
 }
 
 // Traces a list of rays, of which warps fetch the next ones for their idle lanes from `next_ray` on.
 template <Query query, class M, class Stored, class Hierarchy>
-__global__ void __launch_bounds__(rays_per_block,
-                                  WalksThrough<Hierarchy>::template threads_wanted<M> / rays_per_block)
+__global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
     refill_kernel(const SceneView<Stored> scene, const __grid_constant__ Hierarchy hierarchy,
                   const Ray<typename M::Real>* const rays, const std::uint32_t count,
                   const RayResults results, std::uint32_t* const next_ray) {
@@ -185,10 +198,10 @@ __global__ void __launch_bounds__(rays_per_block,
   __shared__ std::uint32_t sources[rays_per_block];
   const unsigned lane = threadIdx.x % lanes_per_warp;
   auto& end = ends[threadIdx.x];
+  constexpr int max_last_rays = by_groups<M>(WalksThrough<Hierarchy>::last_fetched);
   HierarchyStack stack;
-  constexpr int max_last_rays = WalksThrough<Hierarchy>::max_last_rays;
-  typename WalksThrough<Hierarchy>::template Ray<typename M::TestRay> own{};
-  if constexpr (max_last_rays > 0) own.thread = threadIdx.x;
+  RayThrough<M, Hierarchy> own{};
+  own.thread = threadIdx.x;
   const std::uint32_t plenty = plenty_for_a_warp * (rays_per_block / lanes_per_warp) * gridDim.x;
   bool has_ray = false, under_way = false;
   std::uint32_t next = 0, taken = 0; // the rays from `next` to `taken` are the warp's
@@ -235,8 +248,7 @@ __global__ void __launch_bounds__(rays_per_block,
     __syncwarp();
   }
   __syncwarp();
-  if constexpr (max_last_rays > 0)
-    trace_last_rays<query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
+  trace_last_rays<max_last_rays, query, M>(scene, hierarchy, under_way, own, stack, ends, sources, results);
 }
 
 } // namespace masu

@@ -4,6 +4,7 @@
 // are found in their order, by a thread each. A pass over the hits names them.
 #pragma once
 
+#include "libgrid/placed/placed_packet.h"
 #include "renderer/cuda/placed.h"
 #include "renderer/cuda/tracing.h"
 #include "renderer/rays/placed_rays.h"
@@ -17,21 +18,15 @@ struct PlacedList {
   const std::uint32_t* worlds; // of each ray, or null
 };
 
-template <class TestRay>
-struct PlacedWalkingRay {
-  TestRay test_ray;
-  PlacedWalk<typename TestRay::Real> walk;
-  Hit<typename TestRay::Real> nearest;
-};
-
-// Their walk needs more registers. Its last rays are traced by a lane each.
+// Their walk needs more registers.
 template <class Stored>
 struct WalksThrough<PlacedList<Stored>> {
-  template <class TestRay>
-  using Ray = PlacedWalkingRay<TestRay>;
+  template <class Real>
+  using Walk = PlacedWalk<Real>;
   template <class M>
-  static constexpr int threads_wanted = resident_threads_wanted<M> / 4 * 3;
-  static constexpr int max_last_rays = 0;
+  static constexpr int packet_threads_wanted = resident_threads_wanted<M> / 8 * 7;
+  // With more of these the code outgrows its cache.
+  static constexpr int last_of_packet = 0, last_fetched = max_rays_by_fours;
 };
 // Of any world: worlds are where a walk begins.
 template <class Stored>
@@ -46,12 +41,13 @@ PlacedList<Stored> from_ray(PlacedList<Stored> list, std::uint64_t first) {
 template <class Stored, class TestRay>
 __device__ inline void begin_ray(const PlacedList<Stored>& list,
                                  const ClippedRay<typename TestRay::Real>& near, std::uint32_t number,
-                                 PlacedWalkingRay<TestRay>& own, HierarchyStack& stack) {
+                                 WalkingRay<TestRay, PlacedWalk<typename TestRay::Real>>& own,
+                                 HierarchyStack& stack) {
   own.nearest = {near.ray.t_max, 0};
   prepare(own.test_ray, near.ray.origin, near.ray.direction);
   PlacedRay<Stored> seen{list.placed};
   if (list.worlds != nullptr) seen.world = list.worlds[number];
-  own.walk.begin(seen, own.test_ray, stack);
+  own.walk.begin(seen, near, stack);
 }
 
 template <class M, class Stored>
@@ -108,7 +104,7 @@ KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list
   with_query(request.query, [&]<Query query>(QueryTag<query>) {
     if constexpr (std::is_same_v<TestRay, WatertightRay<float>>)
       if (triangles_alone) {
-        size = trace_by_refill<query, Method<TestRay, with_triangles>>(files, placed, found);
+        size = trace_by_hierarchy<query, Method<TestRay, with_triangles>>(files, placed, request.loop, found);
         return;
       }
     size = trace_by_refill<query, General>(files, placed, found);

@@ -135,9 +135,9 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
   if (loop == RayLoop::warp_refill) return trace_by_refill<query, M>(files, hierarchy, batch);
   auto* const kernel = packet_kernel<query, OnDevice<M>, Stored, Hierarchy>;
   batch.begin();
-  for_each_part(batch, [&](const auto& part, std::uint64_t, std::uint32_t count) {
+  for_each_part(batch, [&](const auto& part, std::uint64_t first, std::uint32_t count) {
     launch(kernel, blocks_of(rays_per_block, count), rays_per_block, batch.memory.stream, files.scene.view,
-           hierarchy, part.rays, count, part.results);
+           from_ray(hierarchy, first), part.rays, count, part.results);
   });
   return files.kernels->of(kernel, rays_per_block).size;
 }

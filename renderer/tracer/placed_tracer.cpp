@@ -66,7 +66,6 @@ PlacedTracer PlacedTracer::moved(const PlacementMoves& moves) const {
     fail("placements", fmt::format("are {}, the scene has {}", moves.count, scene().count()));
   if (!gpus_.empty()) {
     PlacedTracer tracer = *this;
-    tracer.is_moved_on_gpus_ = true;
     on_threads(files_.size(),
                [&](std::size_t i) { tracer.files_[i] = placed_files_cuda(*files_[i], moves); });
     return tracer;
@@ -96,6 +95,14 @@ RaysRequest PlacedTracer::resolved(const RayList& rays, const RayResults& result
   return resolved;
 }
 
+// Alike rays begin as packets (libgrid/placed/placed_packet.h). Among thousands of placements neighbours soon
+// go different ways, and idle lanes are worth more than that.
+RayLoop PlacedTracer::usual_loop(bool coherent) const {
+  constexpr std::uint32_t few = 256;
+  const bool by_packets = coherent && scene().count() / std::max(scene().world_count, 1U) < few;
+  return by_packets ? RayLoop::thread_per_ray : RayLoop::warp_refill;
+}
+
 RayList PlacedTracer::to_local(RayList rays) const {
   rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : scene().origin();
   return rays;
@@ -120,14 +127,6 @@ QueryReport PlacedTracer::trace_on_device(const RayList& rays, const RayResults&
   const auto index = static_cast<std::size_t>(std::ranges::find(gpus_, gpu) - gpus_.begin());
   return launch_rays_cuda(*files_.at(index), to_local(rays), results, resolved(rays, results, request),
                           stream);
-}
-
-void PlacedTracer::closest(const RayList& places, const RayResults& results,
-                           const RaysRequest& request) const {
-  if (is_moved_on_gpus_) fail("tracer", "was moved on a GPU: closest points are found in host memory");
-  const RaysRequest checked = resolved(places, results, request);
-  std::visit([&](const auto& host) { closest_placed_cpu(host, to_local(places), results, checked.progress); },
-             *host_);
 }
 
 } // namespace masu

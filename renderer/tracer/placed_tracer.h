@@ -37,6 +37,9 @@ public:
   // Empty on the CPU.
   const std::vector<int>& gpus() const { return gpus_; }
 
+  // The faster one of rays in a GPU's memory, if neighbours are coherent or not.
+  RayLoop usual_loop(bool coherent) const;
+
   // The same meshes placed elsewhere, where all that is wrong is an error.
   PlacedTracer moved(const PlacementMoves& moves) const;
 
@@ -44,9 +47,6 @@ public:
   QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
   QueryReport trace_on_device(const RayList& rays, const RayResults& results, const RaysRequest& request,
                               void* stream, int gpu) const;
-  // Query::closest_point, of places in host memory: on the CPU. Not by one that has moved on a GPU
-  // (Error(usage)).
-  void closest(const RayList& places, const RayResults& results, const RaysRequest& request) const;
 
 private:
   using OnHost = std::variant<PlacedOnHost<float>, PlacedOnHost<double>>;
@@ -61,14 +61,9 @@ private:
   std::vector<std::shared_ptr<const DeviceFiles>> files_; // of each GPU
   std::shared_ptr<std::atomic<std::size_t>> turn_;        // of small queries among several GPUs
   std::shared_ptr<const OnHost> host_;                    // where it began, if it is on GPUs
-  bool is_moved_on_gpus_ = false;
 };
 
-// On the CPU, of lists that are checked.
-template <class Stored>
-void closest_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& places, const RayResults& results,
-                        const std::function<void(double)>& report_progress);
-// The request's precision is resolved.
+// On the CPU, of a list that is checked; the request's precision is resolved.
 template <class Stored>
 QueryReport trace_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& rays, const RayResults& results,
                              const RaysRequest& request);

@@ -172,6 +172,35 @@ struct HierarchyWalk {
     }
     return !visitor.ends() && go_back(stack, visitor.farthest());
   }
+
+  // What groups of lanes ask of a walk (lane_groups.h); that through placed meshes has other answers
+  // (libgrid/placed/placed_walk.h).
+  MASU_HD HierarchyWalk& level() {
+    return *this;
+  }
+  template <class Hierarchy, class Visitor>
+  MASU_HD bool comes_to_node(const Hierarchy&, HierarchyStack&, Visitor&) {
+    return next != no_node;
+  }
+  template <class Hierarchy>
+  MASU_HD const HierarchyNode* node(const Hierarchy& hierarchy) const {
+    return hierarchy.nodes + next;
+  }
+  template <class TestRay>
+  MASU_HD const Vec3<Real>& origin_of(const TestRay& ray) const {
+    return ray.origin;
+  }
+  MASU_HD NoPadding padding() const {
+    return {};
+  }
+  template <class Hierarchy, class Visitor>
+  MASU_HD void show_reference(const Hierarchy& hierarchy, std::uint32_t reference, Visitor& visitor) const {
+    show(hierarchy, reference, visitor);
+  }
+  template <class Visitor>
+  MASU_HD bool comes_back(HierarchyStack& stack, Visitor& visitor) {
+    return go_back(stack, visitor.farthest());
+  }
 };
 
 template <class Real, class Hierarchy, class Visitor>

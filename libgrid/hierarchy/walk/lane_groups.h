@@ -11,11 +11,11 @@
 namespace masu {
 
 // A ray under way: what one lane has of it, or each lane of a group.
-template <class TestRay>
+template <class TestRay, class Walk>
 struct WalkingRay {
   using Real = typename TestRay::Real;
   TestRay test_ray;
-  HierarchyWalk<Real> walk;
+  Walk walk;
   Hit<Real> nearest;
   std::uint32_t thread; // of the block, by which it was begun
 };
@@ -23,8 +23,8 @@ struct WalkingRay {
 // Moves a warp's rays to groups of 2^log2 lanes. `holders`: one lane of each ray, a bit each; no more than
 // there are groups. `sources`: room for a number per lane, of the warp's alone. Returns whether the lane has
 // a ray then. For all lanes of the warp at once, as all functions below.
-template <int log2, class TestRay>
-__device__ inline bool regroup(unsigned holders, WalkingRay<TestRay>& own, HierarchyStack& stack,
+template <int log2, class Walking>
+__device__ inline bool regroup(unsigned holders, Walking& own, HierarchyStack& stack,
                                std::uint32_t* sources) {
   const unsigned lane = threadIdx.x % lanes_per_warp, group = lane >> log2;
   const bool holds = (holders >> lane & 1) != 0;
@@ -33,7 +33,7 @@ __device__ inline bool regroup(unsigned holders, WalkingRay<TestRay>& own, Hiera
   __syncwarp();
   const bool has_ray = group < static_cast<unsigned>(__popc(holders));
   const int source = static_cast<int>(sources[has_ray ? group : 0]);
-  const int highest = __reduce_max_sync(all_lanes, holds ? own.walk.height : 0);
+  const int highest = __reduce_max_sync(all_lanes, holds ? own.walk.level().height : 0);
   own = from_lane(own, source);
   for (int i = 0; i < highest; ++i)
     stack[i] = from_lane(stack[i], source);
@@ -41,11 +41,12 @@ __device__ inline bool regroup(unsigned holders, WalkingRay<TestRay>& own, Hiera
 }
 
 // What the ray meets of the boxes that lane `sub` of its group tests: one of every 2^log2 slots.
-template <int log2, class Real>
+template <int log2, class Real, class Padding>
 __device__ inline MetBoxes boxes_met_by_lane(const HierarchyNode& node, const Vec3<Real>& origin,
-                                             const Vec3<Real>& inverse, Real t_max, unsigned sub) {
-  const NodeAxes<Real> axes = node_axes(node, origin, inverse);
-  const NodeAxis<Real>&x = axes.x, &y = axes.y, &z = axes.z;
+                                             const Vec3<Real>& inverse, Real t_max, const Padding& padding,
+                                             unsigned sub) {
+  const PaddedAxes<Real> axes = padded(node_axes(node, origin, inverse), inverse, padding);
+  const NodeAxes<Real>&near = axes.near, &far = axes.far;
   const bool up_x = inverse.x >= 0, up_y = inverse.y >= 0, up_z = inverse.z >= 0;
   MetBoxes met;
 #pragma unroll
@@ -57,10 +58,11 @@ __device__ inline MetBoxes boxes_met_by_lane(const HierarchyNode& node, const Ve
       return fma(plane_of(planes, byte), axis.scale, axis.start);
     };
     std::uint32_t entry;
-    if (!overlap(plane(node.low[0], node.high[0], up_x, x), plane(node.low[0], node.high[0], !up_x, x),
-                 plane(node.low[1], node.high[1], up_y, y), plane(node.low[1], node.high[1], !up_y, y),
-                 plane(node.low[2], node.high[2], up_z, z), plane(node.low[2], node.high[2], !up_z, z), t_max,
-                 entry))
+    if (!overlap(
+            plane(node.low[0], node.high[0], up_x, near.x), plane(node.low[0], node.high[0], !up_x, far.x),
+            plane(node.low[1], node.high[1], up_y, near.y), plane(node.low[1], node.high[1], !up_y, far.y),
+            plane(node.low[2], node.high[2], up_z, near.z), plane(node.low[2], node.high[2], !up_z, far.z),
+            t_max, entry))
       continue;
     const std::uint32_t held = node.slots[half] >> (8 * byte) & 0xff;
     met.bits |= met_bits(held);
@@ -98,36 +100,38 @@ __device__ inline void join_lanes(float& t) {
     t = fast_min(t, __shfl_xor_sync(all_lanes, t, 1 << step));
 }
 
-// Goes on with the ray of the lane's group, as HierarchyWalk::advance() does; false at its end, and for lanes
-// without a ray.
-template <int log2, class Hierarchy, class Visitor>
-__device__ inline bool advance_group(const Hierarchy& hierarchy, HierarchyWalk<float>& walk,
-                                     HierarchyStack& stack, Visitor& visitor, bool has_ray) {
+// Goes on with the ray of the lane's group, as advance() does; false at its end, and for lanes without a ray.
+template <int log2, class Walk, class Structure, class Visitor>
+__device__ inline bool advance_group(Walk& walk, const Structure& structure, HierarchyStack& stack,
+                                     Visitor& visitor, bool has_ray) {
   constexpr unsigned lanes = 1U << log2;
   const unsigned sub = threadIdx.x % lanes;
-  const bool visits = has_ray && walk.next != walk.no_node;
+  auto& level = walk.level();
+  const bool visits = has_ray && walk.comes_to_node(structure, stack, visitor);
   HierarchyNode node{};
   MetBoxes met;
   if (visits) {
-    node = fetched(hierarchy.nodes + walk.next);
-    met = boxes_met_by_lane<log2>(node, visitor.ray.origin, walk.inverse, visitor.farthest(), sub);
+    node = fetched(walk.node(structure));
+    met = boxes_met_by_lane<log2>(node, walk.origin_of(visitor.ray), level.inverse, visitor.farthest(),
+                                  walk.padding(), sub);
   }
   join_lanes<log2, needs_order<Visitor>>(met);
-  if (visits) walk.template enter<needs_order<Visitor>>(node, met, stack);
-  if (!has_ray) walk.references.bits = 0;
-  while (__any_sync(all_lanes, walk.references.bits != 0)) {
+  if (visits) level.template enter<needs_order<Visitor>>(node, met, stack);
+  if (!has_ray) level.references.bits = 0;
+  while (__any_sync(all_lanes, level.references.bits != 0)) {
     // Each lane takes another of the first references.
-    std::uint32_t bits = walk.references.bits;
+    std::uint32_t bits = level.references.bits;
 #pragma unroll
     for (unsigned i = 0; i < lanes; ++i) {
       if (i < sub) bits &= bits - 1;
-      walk.references.bits &= walk.references.bits - 1;
+      level.references.bits &= level.references.bits - 1;
     }
     if (bits != 0)
-      show(hierarchy, walk.references.first + static_cast<std::uint32_t>(lowest_bit(bits)), visitor);
+      walk.show_reference(structure, level.references.first + static_cast<std::uint32_t>(lowest_bit(bits)),
+                          visitor);
     join_lanes<log2>(visitor.hit);
   }
-  return has_ray && !visitor.ends() && walk.go_back(stack, visitor.farthest());
+  return has_ray && !visitor.ends() && walk.comes_back(stack, visitor);
 }
 
 } // namespace masu

@@ -68,25 +68,41 @@ __device__ inline void packet_planes(const HierarchyNode& node, unsigned slot, i
   box.far[axis] = plane(along.sign < 0 ? low : high);
 }
 
-// Begins the walks of a warp's rays, of which there is one at least, for all lanes at once; as
-// HierarchyWalk::advance() false for rays at their end, and for lanes without a ray. Rays that aren't alike
-// begin at the root. Of nodes, those with more than max_leaves boxes of references that the packet meets are
-// left to the rays: they would be tested by all.
-template <int max_leaves, class Hierarchy, class Visitor>
-__device__ inline bool begin_packet(const Hierarchy& hierarchy, HierarchyWalk<float>& walk,
-                                    HierarchyStack& stack, Visitor& visitor, bool has_ray,
-                                    PacketBoxes& boxes) {
-  const unsigned lane = threadIdx.x % lanes_per_warp, rays = __ballot_sync(all_lanes, has_ray);
-  const Vec3<float> origin = visitor.ray.origin, inverse = walk.inverse;
+__device__ inline void move_planes(PacketBox&, NoPadding) {}
+__device__ inline void move_planes(PacketBox& box, float outwards) {
+  for (int axis = 0; axis < 3; ++axis) {
+    box.near[axis] -= outwards;
+    box.far[axis] += outwards;
+  }
+}
+
+// A warp's rays in the space of some boxes, where they are alike: the bounds of all of them.
+struct PacketBounds {
+  PacketAxis x, y, z;
+
+  __device__ PacketBounds(const Vec3<float>& origin, const Vec3<float>& inverse, bool has_ray)
+      : x(origin.x, inverse.x, has_ray), y(origin.y, inverse.y, has_ray), z(origin.z, inverse.z, has_ray) {}
+};
+__device__ inline bool are_alike(const Vec3<float>& inverse, bool has_ray) {
+  const unsigned rays = __ballot_sync(all_lanes, has_ray);
   const auto alike = [&](float along) {
     const unsigned up = __ballot_sync(all_lanes, has_ray && along >= 0);
     return up == 0 || up == rays;
   };
-  if (!alike(inverse.x) || !alike(inverse.y) || !alike(inverse.z)) return has_ray;
-  const PacketAxis x(origin.x, inverse.x, has_ray), y(origin.y, inverse.y, has_ray),
-      z(origin.z, inverse.z, has_ray);
-  constexpr float all = RealTraits<float>::largest;
-  if (lane == 0) boxes[0] = {{-all, -all, -all}, 0, {all, all, all}, 0};
+  return alike(inverse.x) && alike(inverse.y) && alike(inverse.z);
+}
+
+// Looks from node `root` on into what a packet meets, and shows the visitor the references in the boxes of
+// those with no more than max_leaves such boxes; others are left to the rays: they would be tested by all.
+// Returns which of `boxes` are left, a bit each, no more than max_left. `padding`: how far planes are moved
+// outwards. For all lanes at once, as all functions below.
+template <int max_leaves, int max_left, class Padding, class Visitor, class Show>
+__device__ inline unsigned boxes_left(const HierarchyNode* nodes, std::uint32_t root, const PacketBounds& all,
+                                      const Padding& padding, Visitor& visitor, bool has_ray,
+                                      PacketBoxes& boxes, const Show& show) {
+  const unsigned lane = threadIdx.x % lanes_per_warp;
+  constexpr float most = RealTraits<float>::largest;
+  if (lane == 0) boxes[0] = {{-most, -most, -most}, root, {most, most, most}, 0};
   __syncwarp();
 
   // The boxes before `visited` have been looked into; those with a bit in `left` are left to the rays.
@@ -97,31 +113,38 @@ __device__ inline bool begin_packet(const Hierarchy& hierarchy, HierarchyWalk<fl
     const unsigned count = ::min(met - visited, nodes_at_once);
     const float farthest =
         __uint_as_float(__reduce_max_sync(all_lanes, has_ray ? __float_as_uint(visitor.farthest()) : 0));
-    const HierarchyNode node = fetched(hierarchy.nodes + boxes[::min(visited + part, met - 1)].node);
+    const HierarchyNode node = fetched(nodes + boxes[::min(visited + part, met - 1)].node);
     const std::uint32_t held = (slot < 4 ? node.slots[0] : node.slots[1]) >> slot % 4 * 8 & 0xff;
     const bool is_node = (held & node_slot) == node_slot;
     PacketBox box;
-    packet_planes(node, slot, 0, x, box);
-    packet_planes(node, slot, 1, y, box);
-    packet_planes(node, slot, 2, z, box);
+    packet_planes(node, slot, 0, all.x, box);
+    packet_planes(node, slot, 1, all.y, box);
+    packet_planes(node, slot, 2, all.z, box);
+    move_planes(box, padding);
     std::uint32_t entry;
-    const bool meets =
-        overlap(x.entered(box.near[0]), x.left(box.far[0]), y.entered(box.near[1]), y.left(box.far[1]),
-                z.entered(box.near[2]), z.left(box.far[2]), farthest, entry) &&
-        held != 0 && part < count;
-    unsigned nodes = __ballot_sync(all_lanes, meets && is_node),
+    const bool meets = overlap(all.x.entered(box.near[0]), all.x.left(box.far[0]), all.y.entered(box.near[1]),
+                               all.y.left(box.far[1]), all.z.entered(box.near[2]), all.z.left(box.far[2]),
+                               farthest, entry) &&
+                       held != 0 && part < count;
+    unsigned nodes_met = __ballot_sync(all_lanes, meets && is_node),
              leaves = __ballot_sync(all_lanes, meets && !is_node);
     const unsigned leaves_of_node = leaves >> part * boxes_per_node & 0xff;
-    const unsigned stay = __ballot_sync(all_lanes, __popc(leaves_of_node) > max_leaves);
-    nodes &= ~stay;
+    unsigned stay = __ballot_sync(all_lanes, __popc(leaves_of_node) > max_leaves);
+    if constexpr (!std::is_same_v<Padding, NoPadding> || max_left < max_packet_boxes) // items
+      stay |= __ballot_sync(all_lanes, (node.slots[0] | node.slots[1]) == 0 && part < count);
+    nodes_met &= ~stay;
     leaves &= ~stay;
-    const auto more = static_cast<unsigned>(__popc(nodes));
+    const auto more = static_cast<unsigned>(__popc(nodes_met));
     if (met + more > max_packet_boxes) break;
-    left |= __ballot_sync(all_lanes, lane < count && (stay >> lane * boxes_per_node & 1) != 0) << visited;
-    if ((nodes >> lane & 1) != 0) {
+    const unsigned staying =
+        __ballot_sync(all_lanes, lane < count && (stay >> lane * boxes_per_node & 1) != 0) << visited;
+    if constexpr (max_left < max_packet_boxes)
+      if (static_cast<unsigned>(__popc(left | staying)) + met + more - visited - count > max_left) break;
+    left |= staying;
+    if ((nodes_met >> lane & 1) != 0) {
       box.node = node_in(node.first_node, node_slots(node), slot);
       box.entry = __uint_as_float(entry);
-      boxes[met + rank_among(nodes, lane)] = box;
+      boxes[met + rank_among(nodes_met, lane)] = box;
     }
     visited += count;
     met += more;
@@ -132,29 +155,58 @@ __device__ inline bool begin_packet(const Hierarchy& hierarchy, HierarchyWalk<fl
                           references = __shfl_sync(all_lanes, references_in(held), source);
       if (!has_ray) continue;
       for (std::uint32_t i = 0; i < references; ++i)
-        show(hierarchy, first + i, visitor);
+        show(first + i);
     }
     __syncwarp();
   }
   if (visited < met) left |= ~0U << visited & ~0U >> (lanes_per_warp - met);
+  return left;
+}
 
-  // From far to near: what comes last is taken first.
-  walk.next = walk.no_node;
-  std::uint32_t key = (left >> lane & 1) != 0 ? (__float_as_uint(boxes[lane].entry) & ~31U) | lane : 0;
-  const auto own = [](float plane, float from, float inverse) {
-    return ((inverse < 0 ? -plane : plane) - from) * inverse;
+// Whether a ray meets one of a packet's boxes, and where.
+__device__ inline bool meets(const PacketBox& box, const Vec3<float>& origin, const Vec3<float>& inverse,
+                             float farthest, std::uint32_t& entry) {
+  const auto own = [](float plane, float from, float along) {
+    return ((along < 0 ? -plane : plane) - from) * along;
   };
+  return overlap(own(box.near[0], origin.x, inverse.x), own(box.far[0], origin.x, inverse.x),
+                 own(box.near[1], origin.y, inverse.y), own(box.far[1], origin.y, inverse.y),
+                 own(box.near[2], origin.z, inverse.z), own(box.far[2], origin.z, inverse.z), farthest,
+                 entry);
+}
+
+// What is left to the rays, from far to near: each remembers what it meets itself, and what comes last is
+// taken first.
+template <class Visitor>
+__device__ inline void remember_boxes(unsigned left, const PacketBoxes& boxes, const Vec3<float>& origin,
+                                      HierarchyWalk<float>& walk, HierarchyStack& stack, Visitor& visitor,
+                                      bool has_ray) {
+  const unsigned lane = threadIdx.x % lanes_per_warp;
+  std::uint32_t key = (left >> lane & 1) != 0 ? (__float_as_uint(boxes[lane].entry) & ~31U) | lane : 0;
   for (; left != 0; left &= left - 1) {
     const std::uint32_t next = __reduce_max_sync(all_lanes, key) % lanes_per_warp;
     if (lane == next) key = 0;
     const PacketBox box = boxes[next];
     std::uint32_t entry;
-    if (has_ray && overlap(own(box.near[0], origin.x, inverse.x), own(box.far[0], origin.x, inverse.x),
-                           own(box.near[1], origin.y, inverse.y), own(box.far[1], origin.y, inverse.y),
-                           own(box.near[2], origin.z, inverse.z), own(box.far[2], origin.z, inverse.z),
-                           visitor.farthest(), entry))
+    if (has_ray && meets(box, origin, walk.inverse, visitor.farthest(), entry))
       push(stack, walk.height, nodes_group(box.node, 1, 1, entry & ~MetBoxes::slot_bits));
   }
+}
+
+// Begins the walks of a warp's rays, of which there is one at least; as HierarchyWalk::advance() false for
+// rays at their end, and for lanes without a ray. Rays that aren't alike begin at the root.
+template <int max_leaves, class Hierarchy, class Visitor>
+__device__ inline bool begin_packet(const Hierarchy& hierarchy, HierarchyWalk<float>& walk,
+                                    HierarchyStack& stack, Visitor& visitor, bool has_ray,
+                                    PacketBoxes& boxes) {
+  const Vec3<float> origin = visitor.ray.origin, inverse = walk.inverse;
+  if (!are_alike(inverse, has_ray)) return has_ray;
+  const PacketBounds all(origin, inverse, has_ray);
+  const unsigned left = boxes_left<max_leaves, max_packet_boxes>(
+      hierarchy.nodes, 0, all, NoPadding{}, visitor, has_ray, boxes,
+      [&](std::uint32_t reference) { show(hierarchy, reference, visitor); });
+  walk.next = walk.no_node;
+  remember_boxes(left, boxes, origin, walk, stack, visitor, has_ray);
   return has_ray && !visitor.ends() && walk.go_back(stack, visitor.farthest());
 }
 
