@@ -44,7 +44,7 @@ private:
   std::size_t count_;
 };
 
-constexpr std::size_t ray_count = 6000;
+const auto ray_count = static_cast<std::size_t>(cases(6000));
 
 TEST_F(PlacedOnGpu, FindsTheCpusBits) {
   for (const PlacedKind& kind : placed_kinds()) {
@@ -82,7 +82,8 @@ TEST_F(PlacedOnGpu, MovedOnesAreThoseOfTheCpu) {
       moves.count = scenes.transforms.size();
       gpu.place(moves);
       const auto rays = scenes.rays(ray_count);
-      expect_same(found_by(gpu, rays, {}, {}, nullptr), found_by(cpu, rays, {}, {}, nullptr));
+      const auto places = scenes.places(100);
+      expect_same(found_by(gpu, rays, places, {}, nullptr), found_by(cpu, rays, places, {}, nullptr));
       // Some of them in float32, one of them twice: the last one counts.
       scenes.move();
       const std::vector<std::uint32_t> indices{2, 0, 2};
@@ -97,7 +98,7 @@ TEST_F(PlacedOnGpu, MovedOnesAreThoseOfTheCpu) {
       moves.indices = from_device ? index_copy.data() : indices.data();
       moves.count = some.size();
       gpu.place(moves);
-      expect_same(found_by(gpu, rays, {}, {}, nullptr), found_by(cpu, rays, {}, {}, nullptr));
+      expect_same(found_by(gpu, rays, places, {}, nullptr), found_by(cpu, rays, places, {}, nullptr));
     }
   }
 }
@@ -116,6 +117,7 @@ TEST_F(PlacedOnGpu, MasksWorldsAndExclusionsAreThoseOfTheCpu) {
              object_masks = scenes.numbers(scenes.object_count(), 8),
              primitives = scenes.numbers(ray_count, scenes.triangles()),
              objects = scenes.numbers(ray_count, scenes.object_count());
+  const auto places = scenes.places(ray_count);
   for (int with = 0; with < 8; ++with) {
     QueryOptions options;
     options.worlds = worlds.data();
@@ -125,7 +127,7 @@ TEST_F(PlacedOnGpu, MasksWorldsAndExclusionsAreThoseOfTheCpu) {
       options.exclude = primitives.data();
       options.exclude_objects = objects.data();
     }
-    expect_same(found_by(gpu, rays, {}, options, nullptr), found_by(cpu, rays, {}, options, nullptr));
+    expect_same(found_by(gpu, rays, places, options, nullptr), found_by(cpu, rays, places, options, nullptr));
   }
 }
 

@@ -1,13 +1,21 @@
 // Seeds of random tests, which can be repeated: MASU_TEST_SEED of the environment, or else a new one. Print
-// it where a test fails by SCOPED_TRACE(seed.trace()).
+// it where a test fails by SCOPED_TRACE(seed.trace()). And how many cases they try.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <random>
 #include <string>
 
 namespace masu {
+
+// The number of cases that a test runs: `usual`, times MASU_TEST_EFFORT of the environment, one at least.
+inline std::int64_t cases(std::int64_t usual) {
+  const char* effort = std::getenv("MASU_TEST_EFFORT");
+  if (effort == nullptr) return usual;
+  return std::max(static_cast<std::int64_t>(static_cast<double>(usual) * std::atof(effort)), std::int64_t{1});
+}
 
 class RandomSeed {
 public:

@@ -23,13 +23,6 @@ namespace masu {
 
 // --- Random numbers -------------------------------------------------------------------------------------
 
-// The number of cases that a test runs: `usual`, times MASU_TEST_EFFORT of the environment.
-inline std::int64_t cases(std::int64_t usual) {
-  const char* effort = std::getenv("MASU_TEST_EFFORT");
-  return effort == nullptr ? usual
-                           : static_cast<std::int64_t>(static_cast<double>(usual) * std::atof(effort));
-}
-
 class Chance {
 public:
   explicit Chance(const RandomSeed& seed) : engine_(seed.engine()) {}
