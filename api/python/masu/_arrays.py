@@ -29,14 +29,16 @@ def recognize(name: str, array: Any, stream: Any) -> Tuple[Any, Any]:
     cupy = sys.modules.get("cupy")
     if cupy is not None and isinstance(array, cupy.ndarray):
         return importlib.import_module("._cupy", __package__), array
-    if _lies_on_gpu(name, array):
+    numpy = sys.modules.get("numpy")
+    is_numpy = numpy is not None and type(array) is numpy.ndarray
+    if not is_numpy and _lies_on_gpu(name, array):
         return _adopted(name, array, stream)
     try:
-        numpy = importlib.import_module("._numpy", __package__)
+        from . import _numpy
     except ImportError as error:
         raise TypeError("{}: {} needs NumPy: {}".format(name, type(array).__name__, error)) from error
     try:
-        return numpy, numpy.adopted(array, stream)
+        return _numpy, array if is_numpy else _numpy.adopted(array, stream)
     except ValueError as error:  # rows of different lengths
         raise ValueError("{}: no array of numbers: {}".format(name, error)) from None
 

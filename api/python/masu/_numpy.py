@@ -1,7 +1,7 @@
 """NumPy's arrays: see _arrays."""
 
 import contextlib
-from typing import Any, Iterator, Optional, Tuple
+from typing import Any, ContextManager, Tuple
 
 import numpy as np
 
@@ -19,6 +19,8 @@ def gpu(array: "np.ndarray[Any, Any]", name: str) -> None:
 
 
 def packed(array: "np.ndarray[Any, Any]", name: str) -> "np.ndarray[Any, Any]":
+    if array.dtype in (np.float32, np.float64) and array.flags.c_contiguous and array.flags.aligned:
+        return array
     if array.dtype.kind not in "fiu":
         raise TypeError("{}: real numbers are needed, not {}".format(name, array.dtype))
     number = np.float32 if array.dtype.newbyteorder("=") == np.float32 else np.float64
@@ -49,6 +51,5 @@ def empty(shape: Tuple[int, ...], number: str, array: "np.ndarray[Any, Any]") ->
     return np.empty(shape, number)
 
 
-@contextlib.contextmanager
-def queue(array: "np.ndarray[Any, Any]", stream: Any) -> Iterator[Optional[int]]:
-    yield None
+def queue(array: "np.ndarray[Any, Any]", stream: Any) -> ContextManager[None]:
+    return contextlib.nullcontext()

@@ -124,11 +124,12 @@ class RaycastingScene:
     def _numbered(self, hits: Dict[str, Any]) -> Dict[str, Any]:
         """With primitives numbered in their meshes, and the misses' numbers Open3D's."""
         import numpy as np
-        counts = [len(mesh.faces) for mesh in self._meshes]
-        first = np.cumsum([0] + counts, dtype=np.int64)[:-1].astype(np.int32)
-        ids = hits["geometry_ids"]
-        offsets = np.append(first, np.int32(0))[ids]  # -1: of a miss
-        return {**hits, "geometry_ids": ids.view(np.uint32), "primitive_ids": (hits["primitive_ids"] - offsets).view(np.uint32)}
+        ids, primitives = hits["geometry_ids"], hits["primitive_ids"]
+        if len(self._meshes) > 1:
+            counts = [len(mesh.faces) for mesh in self._meshes[:-1]]
+            first = np.cumsum([0] + counts, dtype=np.int64).astype(np.int32)
+            primitives = primitives - np.append(first, np.int32(0))[ids]  # -1: of a miss
+        return {**hits, "geometry_ids": ids.view(np.uint32), "primitive_ids": primitives.view(np.uint32)}
 
     @staticmethod
     def create_rays_pinhole(*camera: Any, **named: Any) -> Any:
