@@ -509,7 +509,9 @@ private:
 template <class Stored>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
                                               HostArray<BinaryNode> leaves, ProgressMonitor* progress) {
-  return BinaryBuilder<Stored>(scene, margin, std::move(leaves), progress).build();
+  BinaryBuilder<Stored> builder(scene, margin, std::move(leaves),
+                                progress); // at the end of which they are gone
+  return builder.build();
 }
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, double, HostArray<BinaryNode>,
                                                        ProgressMonitor*);

@@ -97,34 +97,48 @@ public:
   template <class Value, class Emit>
   std::optional<Sorted<HostExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
                                                          std::uint64_t max_pairs, const Emit& emit) const {
-    // Those that some items emit. Of bucket b the first one, and so on, goes to place[b], once all are
-    // counted.
+    // Those that some items emit: as many as items where all chunks have theirs, in huge pages; then more. Of
+    // bucket b the first one, and so on, goes to place[b], once all are counted.
     struct Chunk {
-      std::vector<std::uint64_t> keys;
-      std::vector<Value> values;
+      std::uint64_t count = 0;
+      std::vector<std::uint64_t> more_keys;
+      std::vector<Value> more_values;
       std::vector<std::uint64_t> place;
     };
+    auto first_keys = array<std::uint64_t>(count);
+    auto first_values = array<Value>(count);
     constexpr std::uint64_t items_per_chunk = 4096, all_rows = ~std::uint64_t{0};
     const int bucket_bits = std::clamp(bits - 10, 12, 32);
     const std::uint64_t buckets = std::uint64_t{1} << std::max(bits - bucket_bits, 0);
     std::vector<Chunk> chunks((count + items_per_chunk - 1) / items_per_chunk);
+    const auto for_each_pair = [&](std::uint64_t c, const auto& act) {
+      const Chunk& chunk = chunks[c];
+      const std::uint64_t begin = c * items_per_chunk,
+                          first = std::min({chunk.count, items_per_chunk, count - begin});
+      for (std::uint64_t i = 0; i < first; ++i)
+        act(first_keys[begin + i], first_values[begin + i]);
+      for (std::uint64_t i = 0; i < chunk.count - first; ++i)
+        act(chunk.more_keys[i], chunk.more_values[i]);
+    };
     std::atomic<std::uint64_t> total = 0;
     tbb::parallel_for(std::uint64_t{0}, chunks.size(), [&](std::uint64_t c) {
       Chunk& chunk = chunks[c];
-      chunk.keys.reserve(items_per_chunk);
-      chunk.values.reserve(items_per_chunk);
-      const std::uint64_t end = std::min(count, (c + 1) * items_per_chunk);
-      for (std::uint64_t i = c * items_per_chunk; i != end && chunk.keys.size() <= max_pairs; ++i) {
+      const std::uint64_t begin = c * items_per_chunk, end = std::min(count, begin + items_per_chunk);
+      for (std::uint64_t i = begin; i != end && chunk.count <= max_pairs; ++i) {
         if (i % 16 == 0) check_progress(progress);
         emit(i, 0, all_rows, [&](std::uint64_t key, const Value& value) {
-          chunk.keys.push_back(key);
-          chunk.values.push_back(value);
+          if (const std::uint64_t place = begin + chunk.count++; place < end) {
+            first_keys[place] = key;
+            first_values[place] = value;
+          } else {
+            chunk.more_keys.push_back(key);
+            chunk.more_values.push_back(value);
+          }
         });
       }
-      if ((total += chunk.keys.size()) > max_pairs) return;
+      if ((total += chunk.count) > max_pairs) return;
       chunk.place.assign(buckets, 0);
-      for (const std::uint64_t key : chunk.keys)
-        ++chunk.place[key >> bucket_bits];
+      for_each_pair(c, [&](std::uint64_t key, const Value&) { ++chunk.place[key >> bucket_bits]; });
     });
     if (total > max_pairs) return std::nullopt;
 
@@ -145,12 +159,12 @@ public:
     auto values = array<Value>(total);
     tbb::parallel_for(std::uint64_t{0}, chunks.size(), [&](std::uint64_t c) {
       check_progress(progress);
-      Chunk chunk = std::move(chunks[c]);
-      for (std::size_t i = 0; i < chunk.keys.size(); ++i) {
-        const std::uint64_t place = chunk.place[chunk.keys[i] >> bucket_bits]++;
-        keys[place] = chunk.keys[i];
-        values[place] = chunk.values[i];
-      }
+      for_each_pair(c, [&](std::uint64_t key, const Value& value) {
+        const std::uint64_t place = chunks[c].place[key >> bucket_bits]++;
+        keys[place] = key;
+        values[place] = value;
+      });
+      chunks[c] = {};
     });
     tbb::parallel_for(std::uint64_t{0}, buckets, [&](std::uint64_t b) {
       if (begin[b] == begin[b + 1]) return;
