@@ -15,19 +15,19 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
 
 // What a tracer traces, until an update.
 struct State {
-  std::shared_ptr<const masu::SceneFile> scene;
-  std::shared_ptr<const masu::StructureFile> grid; // none for brute force
-  std::optional<masu::ResidentTracer> tracer;      // or
-  std::optional<masu::PlacedTracer> placed;        // without any of the above
-  std::shared_ptr<masu::UsualLoops> loops;         // found out by the first query
-  bool is_on_gpu_alone = false; // moved there: what `scene` and `grid` say of places is of before
-  mutable std::mutex mutex;     // of what follows
+  std::shared_ptr<const masu::SceneFile> scene;    // none of placed meshes
+  std::shared_ptr<const masu::StructureFile> grid; // likewise, and for brute force
+  std::variant<masu::ResidentTracer, masu::PlacedTracer> tracer;
+  std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
+  bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
+  mutable std::mutex mutex;                // of what follows
   // For closest points and winding numbers, made by their first query.
   mutable std::shared_ptr<const State> by_hierarchy;
   mutable std::shared_ptr<const masu::WindingClusters> clusters;
@@ -36,13 +36,16 @@ struct State {
   State(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::StructureFile> grid_,
         const std::vector<int>& gpus)
       : scene(std::move(scene_)), grid(std::move(grid_)),
-        tracer(std::in_place, *scene, grid.get(), gpus.empty() ? masu::Device::cpu : masu::Device::cuda,
-               gpus),
+        tracer(std::in_place_type<masu::ResidentTracer>, *scene, grid.get(),
+               gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus),
         loops(std::make_shared<masu::UsualLoops>()) {}
   State(const State& before, masu::ResidentTracer moved)
       : scene(before.scene), grid(before.grid), tracer(std::move(moved)), loops(before.loops),
         is_on_gpu_alone(true) {}
-  explicit State(masu::PlacedTracer tracer_) : placed(std::move(tracer_)) {}
+  explicit State(masu::PlacedTracer tracer_) : tracer(std::move(tracer_)) {}
+
+  const masu::PlacedTracer* placed() const { return std::get_if<masu::PlacedTracer>(&tracer); } // or none
+  const masu::ResidentTracer& resident() const { return std::get<masu::ResidentTracer>(tracer); }
 };
 
 } // namespace
@@ -189,7 +192,7 @@ std::shared_ptr<const State> by_hierarchy(const std::shared_ptr<const State>& st
                                           const std::function<void(double)>& progress) {
   if (!state->grid || state->grid->is_hierarchy()) return state;
   return kept(*state, state->by_hierarchy, [&] {
-    const std::vector<int>& gpus = state->tracer->gpus();
+    const std::vector<int>& gpus = state->resident().gpus();
     return std::make_shared<const State>(
         state->scene,
         std::make_shared<const StructureFile>(
@@ -235,11 +238,11 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
                        gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
     tracer.trace_on_device(list, results, request, wanted.stream, place);
   };
-  if (state->placed) {
-    if (loop == MASU_LOOP_AUTO) request.loop = state->placed->usual_loop(wanted.coherent != 0);
-    return trace_by(*state->placed);
+  if (const PlacedTracer* const placed = state->placed()) {
+    if (loop == MASU_LOOP_AUTO) request.loop = placed->usual_loop(wanted.coherent != 0);
+    return trace_by(*placed);
   }
-  const ResidentTracer& tracer = *state->tracer;
+  const ResidentTracer& tracer = state->resident();
   if (loop == MASU_LOOP_AUTO && state->grid && tracer.device() == Device::cuda && !is_of_places &&
       !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
@@ -294,13 +297,13 @@ PlacementMoves moves_of(const masu_transforms& given) {
 
 // Refitted where the tracer traces; where that can't be, built anew in host memory.
 std::shared_ptr<const State> moved(const State& before, const Vertices& vertices) {
-  if (before.tracer->device() == Device::cuda) {
-    if (std::optional<ResidentTracer> tracer = before.tracer->moved(vertices))
+  if (before.resident().device() == Device::cuda) {
+    if (std::optional<ResidentTracer> tracer = before.resident().moved(vertices))
       return std::make_shared<const State>(before, *std::move(tracer));
   }
   auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));
   auto grid = std::make_shared<const StructureFile>(refitted_grid(*before.grid, *scene));
-  return std::make_shared<const State>(std::move(scene), std::move(grid), before.tracer->gpus());
+  return std::make_shared<const State>(std::move(scene), std::move(grid), before.resident().gpus());
 }
 
 } // namespace
@@ -368,7 +371,7 @@ masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertice
     const masu_vertices given = taken(vertices, "masu_vertices");
     const std::lock_guard lock(tracer->update);
     const auto before = tracer->state();
-    if (before->placed) fail("tracer", "is of placed meshes: masu_tracer_place() moves them");
+    if (before->placed() != nullptr) fail("tracer", "is of placed meshes: masu_tracer_place() moves them");
     require_hierarchy(before->grid.get());
     // Isolated, or a thread that waits might take another task of the program that updates.
     tbb::this_task_arena::isolate(
@@ -382,10 +385,10 @@ masu_status masu_tracer_place(masu_tracer* tracer, const masu_transforms* transf
     const masu_transforms given = taken(transforms, "masu_transforms");
     const std::lock_guard lock(tracer->update);
     const auto before = tracer->state();
-    if (!before->placed) fail("tracer", "has no placements: masu_tracer_update() moves vertices");
+    if (before->placed() == nullptr) fail("tracer", "has no placements: masu_tracer_update() moves vertices");
     const PlacementMoves moves = moves_of(given);
     tbb::this_task_arena::isolate(
-        [&] { tracer->set_state(std::make_shared<const State>(before->placed->moved(moves))); });
+        [&] { tracer->set_state(std::make_shared<const State>(before->placed()->moved(moves))); });
   });
 }
 
@@ -453,7 +456,7 @@ masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t c
     const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
     if (filters_of(wanted).any() || PlacedFilters{wanted.exclude_objects, wanted.worlds}.any())
       fail("masu_query", "has exclude, masks or worlds: winding numbers are of all triangles");
-    if (tracer->state()->placed)
+    if (tracer->state()->placed() != nullptr)
       fail("tracer", "the scene has placements: winding numbers are of scenes without them");
     require_range(bound, 0, 1, "bound");
     RayList list(places, count, place_format(wanted));

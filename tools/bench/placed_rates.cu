@@ -1,5 +1,5 @@
 // Rates of placed meshes on a GPU, beside those of the same scene written out, and how long moving takes:
-// medians of some runs. Not a test: `masu_placed_rates` prints a table.
+// medians of some runs.
 #include <masu/masu.hpp>
 
 #include <cuda_runtime.h>
