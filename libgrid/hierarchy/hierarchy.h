@@ -57,7 +57,7 @@ MASU_HD inline std::uint32_t references_in(std::uint32_t slot) {
 MASU_HD inline Boxd box_of(const HierarchyNode& node, int slot) {
   Boxd box{};
   for (int axis = 0; axis < 3; ++axis) {
-    const double unit = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 0xff) - 127);
+    const auto unit = static_cast<double>(float_of((node.exponents >> (8 * axis) & 0xff) << 23));
     const auto plane = [&](const std::uint32_t(&planes)[2]) {
       return std::fma(unit, slot_byte(planes, slot), static_cast<double>(node.origin[axis]));
     };

@@ -252,7 +252,7 @@ PlacedArrays<Executor, Stored> placed(Executor& executor, const PlacedParts<Stor
     auto each = executor.template array<Part>(parts.count);
     Part* const own = each.data();
     run_for_each(executor, parts.count, own, act);
-    return joined_there<Part, 8>(executor, parts.count, ElementOf<Part>{own});
+    return joined_there<Part, 16>(executor, parts.count, ElementOf<Part>{own});
   };
   const auto survey_there =
       joined_of(PlacedSurvey<Stored>{}, InvertPlacement<Stored>{parts, transforms, placements});

@@ -20,9 +20,9 @@
 //  - The ray's origin is carried as N (o - t), in no less than the store's arithmetic: the difference and
 //    three fmas are rounded, 4.01 u S, with S = |N| (1.01 R + |t|).
 //  - Its direction is carried as N d: 3.01 u · 2.02 |N| R.
-//  - The distance of a plane is off by less than 8 u times that of the plane from the origin (boxes.h), which
-//    is less than S and the mesh's largest coordinate: 8 u S, and for the latter there is the margin in the
-//    mesh's own boxes.
+//  - The distance of a plane is off by less than 9 u times that of the plane from the origin (boxes.h, where
+//    the inverse of a direction is rounded once; here it may be off by an ulp), which is less than S and the
+//    mesh's largest coordinate: 9 u S, and for the latter there is the margin in the mesh's own boxes.
 // In all less than 128 u |N| R + 16 u S + 4 u |N| (|M| |v| + |t|) + (|E| + 5 w |N| |M|) |v|. Moving a plane
 // is another rounding as of the plane's distance, for which boxes have a slack of 2^-6 units: now 4 · 2^-9
 // are used of it. A factor of 1.01 is for the rounding of the bound itself. Planes along all axes are moved

@@ -149,10 +149,14 @@ MASU_ALWAYS_INLINE double inverse_power_of_two(double magnitude) {
 // The largest float that isn't above a number, and the smallest that isn't below it. Beyond all floats the
 // largest, or infinity; NaN stays.
 MASU_ALWAYS_INLINE float rounded_up(double value) {
+#ifdef __CUDA_ARCH__
+  return __double2float_ru(value);
+#else
   const auto nearest = static_cast<float>(value);
   if (!(static_cast<double>(nearest) < value)) return nearest;
   const std::uint32_t bits = bits_of(nearest);
   return float_of(nearest == 0 ? 1U : nearest > 0 ? bits + 1 : bits - 1);
+#endif
 }
 MASU_ALWAYS_INLINE float rounded_down(double value) {
   return -rounded_up(-value);

@@ -6,8 +6,8 @@
 //
 // A warp visits a node of one ray, or of 32, by some 500 instructions; four nodes for its packet by some 130.
 //
-// A plane's distance is off by less than 8 u M along its axis: less than in a ray's own visits
-// (boxes.h). So no box is passed over of what a ray hits.
+// A plane's distance is off by less than 8 u M along its axis, and by one more where it is moved: less than
+// in a ray's own visits (boxes.h). So no box is passed over of what a ray hits.
 #pragma once
 
 #include "libgrid/hierarchy/walk/hierarchy_walk.h"
@@ -95,11 +95,13 @@ __device__ inline bool are_alike(const Vec3<float>& inverse, bool has_ray) {
 // Looks from node `root` on into what a packet meets, and shows the visitor the references in the boxes of
 // those with no more than max_leaves such boxes; others are left to the rays: they would be tested by all.
 // Returns which of `boxes` are left, a bit each, no more than max_left. `padding`: how far planes are moved
-// outwards. For all lanes at once, as all functions below.
+// outwards: in placed meshes, where nodes without boxes are items, which are left, too. For all lanes at
+// once, as all functions below.
 template <int max_leaves, int max_left, class Padding, class Visitor, class Show>
 __device__ inline unsigned boxes_left(const HierarchyNode* nodes, std::uint32_t root, const PacketBounds& all,
                                       const Padding& padding, Visitor& visitor, bool has_ray,
                                       PacketBoxes& boxes, const Show& show) {
+  constexpr bool may_hold_items = !std::is_same_v<Padding, NoPadding>;
   const unsigned lane = threadIdx.x % lanes_per_warp;
   constexpr float most = RealTraits<float>::largest;
   if (lane == 0) boxes[0] = {{-most, -most, -most}, root, {most, most, most}, 0};
@@ -130,7 +132,7 @@ __device__ inline unsigned boxes_left(const HierarchyNode* nodes, std::uint32_t 
              leaves = __ballot_sync(all_lanes, meets && !is_node);
     const unsigned leaves_of_node = leaves >> part * boxes_per_node & 0xff;
     unsigned stay = __ballot_sync(all_lanes, __popc(leaves_of_node) > max_leaves);
-    if constexpr (!std::is_same_v<Padding, NoPadding> || max_left < max_packet_boxes) // items
+    if constexpr (may_hold_items)
       stay |= __ballot_sync(all_lanes, (node.slots[0] | node.slots[1]) == 0 && part < count);
     nodes_met &= ~stay;
     leaves &= ~stay;
@@ -138,8 +140,8 @@ __device__ inline unsigned boxes_left(const HierarchyNode* nodes, std::uint32_t 
     if (met + more > max_packet_boxes) break;
     const unsigned staying =
         __ballot_sync(all_lanes, lane < count && (stay >> lane * boxes_per_node & 1) != 0) << visited;
-    if constexpr (max_left < max_packet_boxes)
-      if (static_cast<unsigned>(__popc(left | staying)) + met + more - visited - count > max_left) break;
+    if (may_hold_items && __popc(left | staying) + static_cast<int>(met + more - visited - count) > max_left)
+      break;
     left |= staying;
     if ((nodes_met >> lane & 1) != 0) {
       box.node = node_in(node.first_node, node_slots(node), slot);

@@ -17,6 +17,8 @@
 //   PacketWalk             of lists what is alike, as     nodes, and which    nearest that   P 1.35
 //     packet_avx2.h        most camera rays are           rows may meet them  any meets
 //
+// Through placed meshes there are others of the first three (libgrid/placed).
+//
 // Earns: the rate over that of the next simpler walk (HierarchyWalk; for EightWalks NearestFirstWalk, for
 // PacketWalk EightWalks), where it isn't within .02 of it, for rays P primary, D diffuse, R random, S shadow;
 // the geometric mean of teapot of size 60, mount of 10, tetra of 9, balls, tree, gears and, on the GPU,
