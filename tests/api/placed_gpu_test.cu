@@ -68,13 +68,14 @@ TEST_F(PlacedOnGpu, FindsTheCpusBits) {
                                       << ", precision " << precision);
       QueryOptions options;
       options.precision = precision;
-      const Tracer cpu(scene), gpu(scene, 0);
-      const PlacedFound expected = found_by(cpu, rays, places, options, nullptr);
-      expect_same(found_by(gpu, rays, places, options, nullptr), expected);
+      const Tracer on_cpu(scene), on_gpu(scene, 0);
+      const PlacedFound expected = found_by(on_cpu, rays, places, options, nullptr);
+      expect_same(found_by(on_gpu, rays, places, options, nullptr), expected);
       QueryOptions as_packets = options;
       as_packets.loop = MASU_LOOP_THREAD_PER_RAY;
       const auto near = alike(rays, engine_);
-      expect_same(found_by(gpu, near, {}, as_packets, nullptr), found_by(cpu, near, {}, options, nullptr));
+      expect_same(found_by(on_gpu, near, {}, as_packets, nullptr),
+                  found_by(on_cpu, near, {}, options, nullptr));
       if (kind.placements < 100) {
         const int gpu = 0;
         expect_same(found_by(Tracer(scene, nullptr, {&gpu, 1}, true), rays, places, options, nullptr),
