@@ -14,7 +14,7 @@ set xtics (1, 2, 4, 8, 16) format '%g ×'
 array scenes[100]
 stats data using (scenes[int(column('line'))] = strcol('scene'), 1) nooutput
 set grid xtics lc rgb '#d4d4d4' lw 1 dt 1, ytics lc rgb '#eeeeee'
-set label 1 'Masu’s rays per second on an H100 over other tracers’ on an H200 (to the right, Masu is faster)' \
+set label 1 'Masu’s rays per second over other tracers’, on an H200 (to the right, Masu is faster)' \
   at screen 0.012, 0.955 font ',15'
 set label 2 'through what gridbuild --structure fastest builds; left of the line, the other tracer is faster' at screen 0.012, 0.895
 set key at screen 0.99, 0.05 right bottom maxrows 1 samplen 0.5 width -1
