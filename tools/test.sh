@@ -20,7 +20,8 @@ slow=()
 status=0
 cores=$(nproc)
 # More at once than there are cores: many wait for others, for pipes and for signals.
-ctest --test-dir build --output-on-failure --parallel $((cores + cores / 2 + 1)) --output-junit tests.xml "${slow[@]}" || status=$?
+ctest --test-dir build --output-on-failure --parallel $((cores + cores / 2 + 1)) --output-junit tests.xml "${slow[@]}" ||
+  status=$?
 awk 'BEGIN { RS = "<testcase " }
   NR > 1 && /status="run"/ { passed++ }
   NR > 1 && /status="fail"/ { failed++ }
