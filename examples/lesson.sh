@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the figures and tables of docs/lesson.md: lesson.sh [FOLDER], by default out/lesson; the tools are taken from
-# build/bin, or BIN. Takes two minutes on one core. THREADS (default 1): of the CPU, for measurements. MASU_QUICK=1: times
-# are of single runs, for figures alone.
+# build/bin, or BIN. Takes two minutes on one core. THREADS (default 1): of the CPU, for measurements. MASU_QUICK=1: one run
+# each, of few rays, for figures alone.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 charts=$PWD/tools/bench/charts
@@ -12,8 +12,9 @@ mkdir -p "$out"
 cd "$out"
 PATH=$bin:$PATH
 divisions="2 4 8 16 32 64 128"
-repeat="--warm-up 1 --repeat 7" medians=3
-if [ "${MASU_QUICK:-}" ]; then repeat="--warm-up 0 --repeat 1" medians=1; fi
+repeat="--warm-up 1 --repeat 7" medians=3 size=256x256
+hits=() # of section 7: its views' size
+if [ "${MASU_QUICK:-}" ]; then repeat="--warm-up 0 --repeat 1" medians=1 size=64x64 hits=(--size 64x64); fi
 section() { printf '\n== %s\n' "$*"; }
 run() { echo; echo "\$ $*"; "$@"; }
 
@@ -23,10 +24,10 @@ cost() { # name, scene, grid…
   local name=$1
   shift
   echo
-  echo "\$ gridbench rays $* --sets primary --size 256x256 --backend cpu --threads $threads $repeat"
+  echo "\$ gridbench rays $* --sets primary --size $size --backend cpu --threads $threads $repeat"
   for _ in $(seq $medians); do
     # shellcheck disable=SC2086 # options
-    gridbench rays "$@" --sets primary --size 256x256 --backend cpu --threads "$threads" $repeat --json
+    gridbench rays "$@" --sets primary --size $size --backend cpu --threads "$threads" $repeat --json
   done |
     awk -F '[:,]' '
       function number() { return $2 + 0 }
@@ -145,7 +146,7 @@ run gridtrace -q teapot.scene teapot-irregular.grid --pixel 150,120 --size 256x2
 
 section "7. The same hits from every grid"
 for grid in teapot-2 teapot-128 teapot-x teapot-balance teapot-irregular; do
-  gridrender -q teapot.scene $grid.grid --hits $grid.hits --backend cpu
+  gridrender -q teapot.scene $grid.grid --hits $grid.hits "${hits[@]}" --backend cpu
 done
 gridrender -q teapot.scene --brute-force --hits brute-force.hits --size 64x64 --backend cpu
 gridrender -q teapot.scene teapot-32.grid --hits teapot-64x64.hits --size 64x64 --backend cpu

@@ -18,7 +18,10 @@ if [ -z "${TMPDIR:-}" ] && [ -w /dev/shm ] && [ "${room:-0}" -ge 2 ]; then expor
 slow=()
 [ "${1:-}" = --full ] && slow=(-C slow)
 status=0
-ctest --test-dir build --output-on-failure --parallel "$(nproc)" --output-junit tests.xml "${slow[@]}" || status=$?
+cores=$(nproc)
+# More at once than there are cores: many wait for others, for pipes and for signals.
+ctest --test-dir build --output-on-failure --parallel $((cores + cores / 2 + 1)) --output-junit tests.xml "${slow[@]}" ||
+  status=$?
 awk 'BEGIN { RS = "<testcase " }
   NR > 1 && /status="run"/ { passed++ }
   NR > 1 && /status="fail"/ { failed++ }

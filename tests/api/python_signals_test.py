@@ -79,7 +79,7 @@ except KeyboardInterrupt:
 """)
                 while child.stdout.readline() not in ("begins\n", ""):
                     pass
-                time.sleep(0.4)  # into the middle of it
+                time.sleep(0.2)  # into the middle of it
                 child.send_signal(signal.SIGINT)
                 out, err = self.ended(child)
                 self.assertEqual((out, err), ("interrupted\n", ""))
@@ -99,7 +99,7 @@ kept = []  # with their tracebacks, and so with what their frames refer to
 works = (lambda: tracer.nearest(some), lambda: tracer.occluded(some[:1]), lambda: tracer.closest(some[:, :3]),
          scene.describe, grid.describe, lambda: scene.primitive(5), lambda: scene.build(structure="bvh", quality="fast"),
          lambda: masu.Tracer(scene, grid), lambda: masu.Scene(mesh(100)))
-for _ in range(2000):
+for _ in range(1000):
     try:
         try:
             is_armed = True
@@ -201,9 +201,9 @@ def expect_ended(work, last=3):
             seen.clear()
     except Alarm:
         assert len(seen) == last, seen
-scene = masu.Scene(mesh(300_000))
-expect_ended(lambda progress: scene.build(progress=progress))
-expect_ended(lambda progress: masu.Tracer(scene, progress=progress))
+scene = masu.Scene(mesh(600_000))  # each builds for longer than the two calls are apart
+expect_ended(lambda progress: scene.build(progress=progress), 2)
+expect_ended(lambda progress: masu.Tracer(scene, progress=progress), 2)
 tracer, many = endless()
 for query in tracer.nearest, tracer.occluded, tracer.count_hits, tracer.inside:
     expect_ended(lambda progress: query(many, threads=1, progress=progress))

@@ -347,8 +347,9 @@ protected:
   void SetUp() override {
     for (const char* const name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"})
       setenv(name, "1", 1);
-    // Ranks of one machine need no network, of whose interfaces Open MPI 5 may warn.
-    setenv("OMPI_MCA_btl", "^tcp", 1);
+    // Ranks of one machine need no network, of whose interfaces Open MPI 5 may warn, and which libfabric
+    // takes a second to look for.
+    setenv("OMPI_MCA_btl", "^tcp,ofi", 1);
   }
   static Arguments by(int ranks, const std::string& tool, const Arguments& arguments) {
     return joined(
@@ -375,7 +376,7 @@ TEST_F(MpiRuns, AnyNumberOfRanksWritesTheSameBytes) {
 
 // Open MPI takes ranks for those of another machine where its remote shell started them, whatever that is.
 TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
-  unsetenv("OMPI_MCA_btl");
+  setenv("OMPI_MCA_btl", "^ofi", 1);
   const std::string shell = file("shell");
   // Daemons on what is one machine after all would race for the folder of their session: each has its own.
   write_text(shell, "#!/bin/sh\nwhile [ \"${1#-}\" != \"$1\" ]; do shift; done\n"
@@ -404,6 +405,7 @@ TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
 // One rank, or all and mpirun. What rank 0 had made for all is left where it was killed itself, and removed
 // by the next run that makes the file.
 TEST_F(MpiRuns, KilledRanksLeaveWholeFilesAlone) {
+  setenv("OMPI_MCA_btl", "^tcp", 1); // ranks start slowly, and more of them are killed while they do
   auto random = seed_.engine();
   kill_and_resume(
       6, random, time_of(MASU_MPIRUN, by(2, "gridrender", {"--version"})).count(),
