@@ -132,7 +132,10 @@ int OutputFile::open_in_folder(UntilCommit until_commit) {
       (errno != ENOENT || name_.empty()))
     return -1;
   const int unnamed = until_commit == UntilCommit::unnamed ? open_unnamed() : -1;
-  if (unnamed >= 0) return unnamed;
+  if (unnamed >= 0) {
+    TemporaryName(folder_, name_).remove_left();
+    return unnamed;
+  }
   return temporary_.emplace(folder_, name_).create();
 }
 

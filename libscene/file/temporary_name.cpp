@@ -19,6 +19,8 @@
 namespace masu {
 namespace {
 
+constexpr int max_names = 1000; // for a file
+
 // The names in use, in static storage for the signal handler. Names that don't fit in aren't removed on
 // signals.
 struct RegisteredName {
@@ -127,12 +129,24 @@ bool TemporaryName::remove_stale(const char* name) const {
   return removed;
 }
 
+std::string TemporaryName::numbered(int number) const {
+  return fmt::format(".masu-{:016x}-{}.tmp", hash_, number);
+}
+
+void TemporaryName::remove_left() const {
+  for (int number = 0; number < max_names; ++number) {
+    const std::string name = numbered(number);
+    if (faccessat(folder_, name.c_str(), F_OK, AT_SYMLINK_NOFOLLOW) != 0) return;
+    remove_stale(name.c_str());
+  }
+}
+
 template <class Act>
 bool TemporaryName::take(const Act& act) {
   const NameChange change;
-  constexpr int max_names = 1000, max_attempts = 100;
+  constexpr int max_attempts = 100;
   for (int number = 0; number < max_names; ++number) {
-    std::string name = fmt::format(".masu-{:016x}-{}.tmp", hash_, number);
+    std::string name = numbered(number);
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
       if (act(name.c_str())) {
         name_ = std::move(name); // can't throw: the file would be left

@@ -21,6 +21,9 @@ public:
   TemporaryName(const TemporaryName&) = delete;
   TemporaryName& operator=(const TemporaryName&) = delete;
 
+  // Removes what killed processes left of names for the same file. A name that is taken removes those before
+  // it.
+  void remove_left() const;
   // Creates an empty file of that name; returns its descriptor, open for writing, or -1 and errno.
   int create();
   // Links an unnamed file (O_TMPFILE) to the name. Returns false and sets errno when it fails.
@@ -34,6 +37,7 @@ private:
   template <class Act>
   bool take(const Act& act);
   bool remove_stale(const char* name) const;
+  std::string numbered(int number) const;
 
   int folder_;
   std::size_t hash_;

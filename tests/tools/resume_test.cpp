@@ -136,23 +136,34 @@ protected:
                        const Kill& kill_it, std::ptrdiff_t most_temporary_files) const;
 };
 
+// A process's state, as proc(5) has it, and its parent; '-' of one that is gone.
+std::pair<char, pid_t> state_and_parent(const std::string& process) {
+  std::ifstream status("/proc/" + process + "/stat");
+  std::string text;
+  std::getline(status, text);
+  const std::size_t after = text.rfind(')'); // of the program's name
+  std::pair<char, pid_t> found{'-', 0};
+  if (after != std::string::npos)
+    std::sscanf(text.c_str() + after + 1, " %c %d", &found.first, &found.second);
+  return found;
+}
 // The processes that a process has started.
 std::vector<pid_t> children_of(pid_t parent) {
   std::vector<pid_t> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    std::ifstream status(entry.path() / "stat");
-    std::string text;
-    std::getline(status, text);
-    const std::size_t after = text.rfind(')'); // of the program's name
-    if (after == std::string::npos) continue;
-    char state = 0;
-    int its_parent = 0;
-    if (std::sscanf(text.c_str() + after + 1, " %c %d", &state, &its_parent) == 2 && its_parent == parent)
-      found.push_back(std::stoi(name));
+    if (state_and_parent(name).second == parent) found.push_back(std::stoi(name));
   }
   return found;
+}
+// Until then its files are locked, also once it was killed.
+void wait_for_end(pid_t process) {
+  for (int i = 0; i < 1000; ++i) {
+    const char state = state_and_parent(std::to_string(process)).first;
+    if (state == '-' || state == 'Z' || state == 'X') return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
 }
 
 // Waits for a process's end. Open MPI's mpirun (4.1), of which a rank is killed while ranks start, may wait
@@ -164,10 +175,12 @@ int status_of(pid_t process, int& hung) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   ++hung;
-  for (const pid_t child : children_of(process))
+  const std::vector<pid_t> children = children_of(process);
+  for (const pid_t child : children)
     kill(child, SIGKILL);
   kill(process, SIGKILL);
   waitpid(process, &status, 0);
+  std::ranges::for_each(children, wait_for_end);
   return status;
 }
 
@@ -414,13 +427,17 @@ TEST_F(MpiRuns, KilledRanksLeaveWholeFilesAlone) {
         return start(MASU_MPIRUN, by(ranks, job, {"--resume", "-q"}));
       },
       [&](pid_t process) {
+        kill(process, SIGSTOP); // it starts no more ranks
         const std::vector<pid_t> ranks = children_of(process);
         if (ranks.empty() || random() % 2 == 0) {
-          kill(process, SIGKILL);
           for (const pid_t rank : ranks)
             kill(rank, SIGKILL);
+          kill(process, SIGKILL);
+          for (const pid_t rank : ranks)
+            wait_for_end(rank);
         } else {
           kill(ranks[random() % ranks.size()], SIGKILL);
+          kill(process, SIGCONT);
         }
       },
       2 * 3);
