@@ -134,10 +134,18 @@ PlacedOnHost<Stored>::PlacedOnHost(std::shared_ptr<const PlacedScene> scene_,
 
 template <class Stored>
 PlacedParts<Stored> PlacedOnHost<Stored>::parts() const {
-  return {meshes->view(),     meshes->meshes.data(),         scene->mesh.data(),
-          scene->mask.data(), scene->world.data(),           scene->first_triangles.data(),
-          scene->count(),     scene->world_count,          scene->triangle_count(),
-          scene->origin(),    scene->beside->view<Stored>(), scene->beside->bounds()};
+  return {meshes->view(),
+          meshes->meshes.data(),
+          scene->mesh.data(),
+          scene->mask.data(),
+          scene->world.data(),
+          scene->first_triangles.data(),
+          scene->count(),
+          scene->world_count,
+          scene->triangle_count(),
+          scene->origin(),
+          scene->beside->view<Stored>(),
+          scene->beside->bounds()};
 }
 
 template <class Stored>
