@@ -330,7 +330,7 @@ TEST_F(FaceNumbers, NameHits) {
       check(by_primitive.hits, tracer.render(request).hits);
     }
   }
-  EXPECT_GT(hits, static_cast<std::uint64_t>(cases(1000)));
+  EXPECT_GT(hits, static_cast<std::uint64_t>(cases(200)));
 }
 
 } // namespace
