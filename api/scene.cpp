@@ -118,13 +118,13 @@ std::unique_ptr<masu_scene> placed(const masu_geometry& given, std::span<const I
       masu_scene{nullptr, std::move(scene), std::make_shared<const SceneVertices>()});
 }
 
-masu_scene_description described(const PlacedScene& scene) {
+// `box`: around all of it.
+masu_scene_description described(const PlacedScene& scene, const Boxd& box) {
   masu_scene_description described{};
   scene.meshes->with_view([&](const auto& view) { described.triangles = view.triangle_count; });
   scene.beside->with_view([&]<class Stored>(const SceneView<Stored>& view) {
     described.spheres = view.sphere_count;
     described.cones = view.cone_count;
-    const Boxd box = join(scene.box(scene.origin()), scene.beside->bounds());
     described.error_bound = is_empty(box) ? 0 : rounding_margin<Stored>(box);
   });
   described.materials =
@@ -265,9 +265,9 @@ masu_status masu_scene_describe(const masu_scene* scene, masu_scene_description*
     require(scene, "scene");
     const PlacedScene* const placed = scene->placed.get();
     const SceneFile& file = placed != nullptr ? *placed->beside : *scene->file;
-    masu_scene_description about = placed != nullptr ? described(*placed) : described(file);
     const Vec3d origin = file.origin();
     const Boxd bounds = placed != nullptr ? join(placed->box(origin), file.bounds()) : file.bounds();
+    masu_scene_description about = placed != nullptr ? described(*placed, bounds) : described(file);
     const Boxd box = in_world(origin, bounds);
     for (int axis = 0; axis < 3; ++axis) {
       about.origin[axis] = origin[axis];

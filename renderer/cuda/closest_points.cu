@@ -1,4 +1,4 @@
-#include "renderer/cuda/placed.h"
+#include "renderer/cuda/placed/placed.h"
 #include "renderer/cuda/ray_batch.h"
 #include "renderer/rays/closest_points.h"
 #include "renderer/rays/placed_rays.h"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "libgrid/placed/placed_packet.h"
-#include "renderer/cuda/placed.h"
+#include "renderer/cuda/placed/placed.h"
 #include "renderer/cuda/tracing.h"
 #include "renderer/rays/placed_rays.h"
 

@@ -1,5 +1,5 @@
 // Placed meshes put on a device, and moved there.
-#include "renderer/cuda/placed.h"
+#include "renderer/cuda/placed/placed.h"
 
 #include "renderer/cuda/device_files.h"
 #include "renderer/tracer/placed_tracer.h"

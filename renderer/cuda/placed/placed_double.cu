@@ -1,4 +1,4 @@
-#include "renderer/cuda/placed_rays.h"
+#include "renderer/cuda/placed/placed_rays.h"
 
 namespace masu {
 
