@@ -244,10 +244,14 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   }
   const ResidentTracer& tracer = state->resident();
   if (loop == MASU_LOOP_AUTO && state->grid && tracer.device() == Device::cuda && !is_of_places &&
-      !needs_hits_in_order(list, results, request))
-    request.loop = place == host_memory && count >= rays_worth_a_sample
-                       ? automatic_loop(tracer, list, request.query, request.tracing.precision)
-                       : state->loops->of(tracer, wanted.coherent != 0, count);
+      !needs_hits_in_order(list, results, request)) {
+    if (state->grid->is_hierarchy())
+      request.loop = wanted.coherent != 0 ? RayLoop::thread_per_ray : RayLoop::automatic;
+    else
+      request.loop = place == host_memory && count >= rays_worth_a_sample
+                         ? automatic_loop(tracer, list, request.query, request.tracing.precision)
+                         : state->loops->of(tracer, wanted.coherent != 0);
+  }
   trace_by(tracer);
 }
 

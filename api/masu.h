@@ -414,7 +414,7 @@ typedef enum masu_faces { MASU_FACES_BOTH = 0, MASU_FACES_FRONT = 1, MASU_FACES_
 /* How a GPU schedules rays for nearest hits and occlusion without filters, sides, t64 and front; of others it
  * is chosen. Results are the same. */
 typedef enum masu_loop {
-  MASU_LOOP_AUTO = 0,           /* by a sample of the rays or, as `coherent` says, of the scene's */
+  MASU_LOOP_AUTO = 0,           /* by a look at the rays; through a grid by a sample of them or of the scene's */
   MASU_LOOP_THREAD_PER_RAY = 1, /* neighbours that take equally long: primary rays, few hits */
   MASU_LOOP_WARP = 2,           /* similar ones through a grid, where some try many primitives; through a
                                    hierarchy MASU_LOOP_THREAD_PER_RAY */
@@ -426,8 +426,8 @@ typedef struct masu_query {
   size_t size;
   masu_ray_format format;
   masu_precision precision;
-  int coherent; /* not 0: neighbours have similar origins and directions: how a GPU schedules fewer than four
-                   million rays, or any in its memory; results are the same */
+  int coherent; /* not 0: neighbours have similar origins and directions: how a GPU schedules them; results
+                   are the same */
   int relative; /* not 0: the rays' origins are relative to the scene's (masu_scene_description), where floats
                    keep their digits, and rays on a GPU needn't be copied; 0: they are in the world */
   void* stream; /* cudaStream_t of rays in device memory; NULL: the default stream */

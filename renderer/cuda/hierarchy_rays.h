@@ -8,6 +8,7 @@
 #include "libgrid/hierarchy/walk/lane_groups.h"
 #include "libgrid/hierarchy/walk/packet_begin.h"
 #include "libgrid/hierarchy/walk/walks_in_use.h"
+#include "renderer/cuda/loop_choice.h"
 #include "renderer/cuda/straggler_queue.h"
 #include "renderer/cuda/warp_rays.h"
 
@@ -155,7 +156,8 @@ __global__ void __launch_bounds__(rays_per_block,
                                   WalksThrough<Hierarchy>::template packet_threads_wanted<M> / rays_per_block)
     packet_kernel(const SceneView<Stored> scene, const __grid_constant__ Hierarchy hierarchy,
                   const Ray<typename M::Real>* const rays, const std::uint32_t count,
-                  const RayResults results) {
+                  const RayResults results, const RayLoop* const chosen) {
+  if (!is_chosen(RayLoop::thread_per_ray, chosen)) return;
   // What is needed of a ray when it is begun and ended would take up registers.
   __shared__ RayEnds<typename M::Real> ends[rays_per_block];
   __shared__ std::uint32_t sources[rays_per_block]; // of regroup()
@@ -193,7 +195,8 @@ template <Query query, class M, class Stored, class Hierarchy>
 __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
     refill_kernel(const SceneView<Stored> scene, const __grid_constant__ Hierarchy hierarchy,
                   const Ray<typename M::Real>* const rays, const std::uint32_t count,
-                  const RayResults results, std::uint32_t* const next_ray) {
+                  const RayResults results, std::uint32_t* const next_ray, const RayLoop* const chosen) {
+  if (!is_chosen(RayLoop::warp_refill, chosen)) return;
   __shared__ RayEnds<typename M::Real> ends[rays_per_block];
   __shared__ std::uint32_t sources[rays_per_block];
   const unsigned lane = threadIdx.x % lanes_per_warp;

@@ -111,35 +111,62 @@ void for_each_part(const RayBatch<Real>& all, const Act& act) {
   }
 }
 
+// Through a hierarchy, by a thread per ray; if that is the loop on the device (is_chosen()).
+template <Query query, class M, class Stored, class Hierarchy>
+KernelSize trace_by_packets(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
+                            const RayBatch<typename M::Real>& batch, const RayLoop* chosen) {
+  auto* const kernel = packet_kernel<query, OnDevice<M>, Stored, Hierarchy>;
+  for_each_part(batch, [&](const auto& part, std::uint64_t first, std::uint32_t count) {
+    launch(kernel, blocks_of(rays_per_block, count), rays_per_block, batch.memory.stream, files.scene.view,
+           from_ray(hierarchy, first), part.rays, count, part.results, chosen);
+  });
+  return files.kernels->of(kernel, rays_per_block).size;
+}
+
+// Likewise by fetching. `fetched`: of each part so many rays, 0 at first.
 template <Query query, class M, class Stored, class Hierarchy>
 KernelSize trace_by_refill(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
-                           const RayBatch<typename M::Real>& batch) {
+                           const RayBatch<typename M::Real>& batch, const RayLoop* chosen,
+                           std::uint32_t* fetched) {
   auto* const kernel = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
   const auto known = files.kernels->of(kernel, rays_per_block);
-  const DeviceArray<std::uint32_t> next_rays((batch.count + max_rays_by_warps - 1) / max_rays_by_warps,
-                                             batch.memory);
-  next_rays.clear();
-  batch.begin();
   for_each_part(batch, [&](const auto& part, std::uint64_t first, std::uint32_t count) {
     launch(kernel, std::min(blocks_of(rays_per_block, count), known.blocks), rays_per_block,
            batch.memory.stream, files.scene.view, from_ray(hierarchy, first), part.rays, count, part.results,
-           next_rays.data() + first / max_rays_by_warps);
+           fetched++, chosen);
   });
   return known.size;
 }
+inline DeviceArray<std::uint32_t> fetched_of_parts(std::uint64_t rays, const StreamMemory& memory) {
+  return DeviceArray<std::uint32_t>((rays + max_rays_by_warps - 1) / max_rays_by_warps, memory);
+}
+template <Query query, class M, class Stored, class Hierarchy>
+KernelSize trace_by_refill(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
+                           const RayBatch<typename M::Real>& batch) {
+  const DeviceArray<std::uint32_t> fetched = fetched_of_parts(batch.count, batch.memory);
+  fetched.clear();
+  batch.begin();
+  return trace_by_refill<query, M>(files, hierarchy, batch, nullptr, fetched.data());
+}
 
-// Traces through a hierarchy by thread_per_ray or warp_refill.
 template <Query query, class M, class Stored, class Hierarchy>
 KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy, RayLoop loop,
                               const RayBatch<typename M::Real>& batch) {
+  using Real = typename M::Real;
+  if (loop == RayLoop::automatic && batch.count < min_rays_looked_at) loop = loop_of_few(query);
   if (loop == RayLoop::warp_refill) return trace_by_refill<query, M>(files, hierarchy, batch);
-  auto* const kernel = packet_kernel<query, OnDevice<M>, Stored, Hierarchy>;
+  if (loop != RayLoop::automatic) {
+    batch.begin();
+    return trace_by_packets<query, M>(files, hierarchy, batch, nullptr);
+  }
+  const DeviceArray<RayLoop> chosen(1, batch.memory);
+  const DeviceArray<std::uint32_t> fetched = fetched_of_parts(batch.count, batch.memory);
   batch.begin();
-  for_each_part(batch, [&](const auto& part, std::uint64_t first, std::uint32_t count) {
-    launch(kernel, blocks_of(rays_per_block, count), rays_per_block, batch.memory.stream, files.scene.view,
-           from_ray(hierarchy, first), part.rays, count, part.results);
-  });
-  return files.kernels->of(kernel, rays_per_block).size;
+  launch(choose_loop_kernel<query, Real, Stored>, 1, warps_looked_at * lanes_per_warp, batch.memory.stream,
+         files.scene.view, batch.rays, batch.count, chosen.data(), fetched.data(),
+         static_cast<std::uint32_t>(fetched.size()));
+  trace_by_packets<query, M>(files, hierarchy, batch, chosen.data());
+  return trace_by_refill<query, M>(files, hierarchy, batch, chosen.data(), fetched.data());
 }
 
 // Traces with a thread per ray.

@@ -113,18 +113,14 @@ RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy) {
   return share && !is_hierarchy ? RayLoop::warp : RayLoop::thread_per_ray;
 }
 
-RayLoop UsualLoops::of(const ResidentTracer& tracer, bool coherent, std::uint64_t count) {
-  std::atomic<int>& usual = usual_[coherent][count >= many_rays];
+RayLoop UsualLoops::of(const ResidentTracer& tracer, bool coherent) {
+  std::atomic<int>& usual = usual_[coherent];
   if (const int known = usual; known != unknown) return static_cast<RayLoop>(known);
   const std::vector<Ray<double>> rays =
       coherent ? camera_sample(tracer.scene()) : random_sample(tracer.scene());
-  WarpCosts costs = warp_costs(tracer, relative(rays), Query::nearest_hit, Precision::automatic);
-  for (const bool many : {false, true}) { // both by one sample
-    costs.rays = many ? many_rays : 0;
-    usual_[coherent][many] =
-        static_cast<int>(automatic_loop(costs, Query::nearest_hit, tracer.structure()->is_hierarchy()));
-  }
-  return static_cast<RayLoop>(usual.load());
+  const RayLoop found = automatic_loop(tracer, relative(rays), Query::nearest_hit, Precision::automatic);
+  usual = static_cast<int>(found);
+  return found;
 }
 
 } // namespace masu

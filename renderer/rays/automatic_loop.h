@@ -29,18 +29,17 @@ inline RayLoop automatic_loop(const ResidentTracer& tracer, const RayList& rays,
                         tracer.structure()->is_hierarchy());
 }
 
-// The loops for `count` rays that can't be looked at, because they are in a GPU's memory: that of the scene's
-// camera rays where neighbours are said to be coherent, else that of random rays through the scene's bounds.
-// Found out when first asked for; by each of several threads that ask at once, rather than that one waits for
-// another, which may be a task that waits for it. They all find the same.
+// The loops through a grid of rays that can't be looked at, because they are in a GPU's memory: that of the
+// scene's camera rays where neighbours are said to be coherent, else that of random rays through the scene's
+// bounds. Found out when first asked for; by each of several threads that ask at once, rather than that one
+// waits for another, which may be a task that waits for it. They all find the same.
 class UsualLoops {
 public:
-  RayLoop of(const ResidentTracer& tracer, bool coherent, std::uint64_t count);
+  RayLoop of(const ResidentTracer& tracer, bool coherent);
 
 private:
   static constexpr int unknown = -1;
-  // By whether neighbours are coherent, and whether there are many rays.
-  std::atomic<int> usual_[2][2] = {{unknown, unknown}, {unknown, unknown}};
+  std::atomic<int> usual_[2] = {unknown, unknown}; // by whether neighbours are coherent
 };
 
 } // namespace masu

@@ -99,8 +99,8 @@ RaysRequest PlacedTracer::resolved(const RayList& rays, const RayResults& result
 // go different ways, and idle lanes are worth more than that.
 RayLoop PlacedTracer::usual_loop(bool coherent) const {
   constexpr std::uint32_t few = 256;
-  const bool by_packets = coherent && scene().count() / std::max(scene().world_count, 1U) < few;
-  return by_packets ? RayLoop::thread_per_ray : RayLoop::warp_refill;
+  if (scene().count() / std::max(scene().world_count, 1U) >= few) return RayLoop::warp_refill;
+  return coherent ? RayLoop::thread_per_ray : RayLoop::automatic;
 }
 
 RayList PlacedTracer::to_local(RayList rays) const {

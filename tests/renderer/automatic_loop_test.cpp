@@ -157,7 +157,7 @@ Scene rod(const Vec3d& from, const Vec3d& at) {
 }
 
 RayLoop usual_loop(UsualLoops& loops, const Rendering& rendering, bool coherent) {
-  return loops.of(rendering.tracer(), coherent, 1'000'000);
+  return loops.of(rendering.tracer(), coherent);
 }
 
 TEST(UsualLoops, OfIncoherentRaysIsThatOfRandomRaysWhateverTheCameraSees) {
@@ -190,7 +190,7 @@ TEST(UsualLoops, MayBeAskedForByTasksWhileTheyAreFoundOut) {
         tbb::blocked_range<int>(0, 64, 1),
         [&](const tbb::blocked_range<int>& range) {
           for (int i = range.begin(); i != range.end(); ++i)
-            EXPECT_EQ(loops.of(tracer, i % 2 == 0, i < 32 ? 1'000'000 : 10'000'000),
+            EXPECT_EQ(loops.of(tracer, i % 2 == 0),
                       i % 2 == 0 ? RayLoop::thread_per_ray : RayLoop::warp_refill);
         },
         tbb::simple_partitioner());

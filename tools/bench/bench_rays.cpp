@@ -38,7 +38,8 @@ struct RaySet {
 
 const std::map<std::string, RayLoop> all_loops{{"thread_per_ray", RayLoop::thread_per_ray},
                                                {"warp", RayLoop::warp},
-                                               {"warp_refill", RayLoop::warp_refill}};
+                                               {"warp_refill", RayLoop::warp_refill},
+                                               {"on_device", RayLoop::automatic}};
 
 std::set<std::string> loop_names() {
   std::set<std::string> names{"auto"};
@@ -176,11 +177,12 @@ void add_options(const CommandLine& command, Settings& settings) {
   add_backend(command, settings.backend);
   command.add_choice("--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
                      "order of primary rays: rows, or tiles of 8x4");
-  add_names(
-      command, "--loop", settings.loops, loop_names(),
-      "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
-      "tests), warp_refill (warp, and idle threads fetch the next ray), or auto (by what a sample of the "
-      "rays costs)");
+  add_names(command, "--loop", settings.loops, loop_names(),
+            "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
+            "tests), warp_refill (warp, and idle threads fetch the next ray), on_device (through a hierarchy "
+            "one of "
+            "these, by a look at some rays there), or auto (by what a sample of the "
+            "rays costs)");
   add_names(command, "--precision", settings.precisions, {"auto", "fast", "robust", "double"},
             "auto, fast, robust, double (see gridrender --help)");
   add_first_cell_hit(command, settings.tracing.stop);

@@ -275,7 +275,7 @@ class Tracer(Resource):
         stand for all. Of placed meshes alone: exclude has another dimension, of 2, for pairs of geometry_ids and
         primitive_ids; worlds: the number of each ray's world, or of all rays', 0 by default; with ray_masks alone those of
         placements count. loop: how a GPU schedules rays without t_hit64, front, sides, exclude and masks, which changes the
-        speed alone: "auto" (by a sample of the rays in host memory, by `coherent` on a GPU), "thread_per_ray", "warp" or
+        speed alone: "auto" (by a look at the rays, or by `coherent`), "thread_per_ray", "warp" or
         "warp_refill"."""
         return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), chosen(fields), locals())
 
