@@ -46,7 +46,7 @@ def built(build, folder, arguments):
             own = own[1:]
         same = filecmp.cmp(source, command["file"], shallow=False) and \
             what_counts([theirs(argument) for argument in arguments]) == what_counts(own)
-        return found if same and found.stat().st_mtime >= os.stat(source).st_mtime else None
+        return found if same and found.stat().st_mtime >= os.stat(command["file"]).st_mtime else None
     return None
 
 

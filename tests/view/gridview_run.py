@@ -84,7 +84,7 @@ class Gridview:
 
     def get(self, path, **headers):
         request = urllib.request.Request(f"http://127.0.0.1:{self.port}{path}", headers=headers)
-        with urllib.request.urlopen(request, timeout=60) as response:
+        with urllib.request.urlopen(request, timeout=300) as response:  # for what hangs: other tests run, too
             return response.read()
 
     def memory(self):
