@@ -26,12 +26,12 @@ struct ResultArray {
 };
 using ResultArrays = std::array<ResultArray, 15>;
 
-// `row`: elements per ray of the arrays of hits. In place, they are copied from the buffers.
-ResultArrays arrays_of(const RayResults& results, std::size_t row, bool in_place) {
+// `row`: elements per ray of the arrays of hits.
+ResultArrays arrays_of(const RayResults& results, std::size_t row) {
   ResultArrays arrays{};
   std::size_t k = 0;
   for_each_array(results, [&](auto* host) {
-    arrays[k] = {host, (k < arrays_of_hits ? row : 1) * sizeof(*host), !in_place && is_page_locked(host)};
+    arrays[k] = {host, (k < arrays_of_hits ? row : 1) * sizeof(*host), is_page_locked(host)};
     ++k;
   });
   return arrays;
@@ -65,6 +65,133 @@ double seconds_between(cudaEvent_t first, cudaEvent_t second) {
   return static_cast<double>(milliseconds) * 1e-3;
 }
 
+// Of a list, so many rays from `first` on.
+struct Piece {
+  std::size_t first = 0, count = 0;
+};
+
+// A list in host memory, its results, and what all of its pieces need on the device.
+struct HostList {
+  const DeviceFiles& files;
+  const RayList& rays;
+  const RaysRequest& request;
+  ResultArrays arrays;
+  std::size_t ray_bytes;
+  DeviceArray<Counts> counts;
+  DeviceArray<std::uint32_t> object_masks;
+
+  HostList(const DeviceFiles& files_, const RayList& rays_, const RayResults& results,
+           const RaysRequest& request_, const QueryReport& report)
+      : files(files_), rays(rays_), request(request_), arrays(arrays_of(results, hit_rules(request_).row())),
+        ray_bytes(rays_.format.bytes_per_ray()),
+        counts(&report.counts, files_.are_counted(request_.tracing) ? 1 : 0, {nullptr, files_.memory->pool}),
+        object_masks(rays_.filters.object_masks, rays_.filters.object_count, {nullptr, files_.memory->pool}) {
+    if (counts.size() + object_masks.size() > 0) check(cudaStreamSynchronize(nullptr));
+  }
+
+  const std::uint8_t* rays_of(const Piece& piece) const {
+    return static_cast<const std::uint8_t*>(rays.rays) + piece.first * ray_bytes;
+  }
+  std::uint8_t* result_of(const Piece& piece, std::size_t array) const {
+    return static_cast<std::uint8_t*>(arrays[array].host) + piece.first * arrays[array].bytes_per_ray;
+  }
+  std::size_t bytes_of_results(const Piece& piece) const {
+    return for_each_array(arrays, piece.count, [](auto...) {});
+  }
+
+  // Queues the piece's query: its rays, and a block for its results, where the device sees them.
+  KernelSize launch(const Piece& piece, const void* from, std::uint8_t* found, cudaStream_t stream) const {
+    const auto one_per_ray = [&](const std::uint32_t* numbers) {
+      const bool there = numbers != nullptr;
+      return DeviceArray<std::uint32_t>(there ? numbers + piece.first : nullptr, there ? piece.count : 0,
+                                        {stream, files.memory->pool});
+    };
+    const DeviceArray<std::uint32_t> excluded = one_per_ray(rays.filters.excluded),
+                                     ray_masks = one_per_ray(rays.filters.ray_masks),
+                                     excluded_objects = one_per_ray(rays.placed_filters.excluded_objects),
+                                     worlds = one_per_ray(rays.placed_filters.worlds);
+    RayList list(from, piece.count, rays.format);
+    list.filters = {excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
+    list.placed_filters = {excluded_objects.data(), worlds.data()};
+    return launch_rays(files, list, results_in(found, arrays, piece.count), request, counts.data(), stream);
+  }
+};
+
+void trace_in_place(const HostList& list, HostRayBuffers::Piece& buffers, QueryReport& report) {
+  const Piece all{0, list.rays.count};
+  const std::size_t bytes = all.count * list.ray_bytes;
+  std::uint8_t* const rays = buffers.rays.of(bytes);
+  std::uint8_t* const found = buffers.results.of(list.bytes_of_results(all));
+  copy_in_parallel(rays, list.rays_of(all), bytes);
+  check(cudaEventRecord(buffers.begun, buffers.stream));
+  report.kernel = list.launch(all, rays, found, buffers.stream);
+  check(cudaEventRecord(buffers.downloaded, buffers.stream));
+  check(cudaEventSynchronize(buffers.downloaded));
+  report.seconds.trace = seconds_between(buffers.begun, buffers.downloaded);
+  for_each_array(list.arrays, all.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
+    copy_in_parallel(list.result_of(all, k), found + offset, array_bytes);
+  });
+}
+
+// Turn by turn: what a slot's last piece found leaves its buffers while the next one's rays enter them.
+void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport& report,
+                     std::atomic<std::size_t>& next_piece) {
+  const RayList& rays = list.rays;
+  const MemoryPool& pool = list.files.memory->pool;
+  const std::size_t piece_rays = rays_per_piece(list.request);
+  const bool rays_page_locked = is_page_locked(rays.rays);
+  Piece pieces[pieces_in_flight];
+
+  const auto copy_in = [&](HostRayBuffers::Piece& buffers, const Piece& piece) {
+    const std::size_t bytes = piece.count * list.ray_bytes;
+    if (!rays_page_locked && bytes > 0) copy_in_parallel(buffers.rays.of(bytes), list.rays_of(piece), bytes);
+  };
+  const auto begin = [&](HostRayBuffers::Piece& buffers, const Piece& piece) {
+    const cudaStream_t stream = buffers.stream;
+    const std::size_t bytes = piece.count * list.ray_bytes, result_bytes = list.bytes_of_results(piece);
+    const void* const from = rays_page_locked ? list.rays_of(piece) : buffers.rays.of(bytes);
+    std::uint8_t* const staging = buffers.results.of(result_bytes);
+    const DeviceArray<std::uint8_t> device_rays(bytes, {stream, pool}), found(result_bytes, {stream, pool});
+    check(cudaEventRecord(buffers.begun, stream));
+    check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
+    check(cudaEventRecord(buffers.uploaded, stream));
+    report.kernel = list.launch(piece, device_rays.data(), found.data(), stream);
+    check(cudaEventRecord(buffers.traced, stream));
+    for_each_array(list.arrays, piece.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
+      void* const to = list.arrays[k].page_locked ? list.result_of(piece, k) : staging + offset;
+      check(cudaMemcpyAsync(to, found.data() + offset, array_bytes, cudaMemcpyDeviceToHost, stream));
+    });
+    check(cudaEventRecord(buffers.downloaded, stream));
+  };
+  const auto wait = [&](const HostRayBuffers::Piece& buffers, const Piece& piece) {
+    if (piece.count == 0) return;
+    check(cudaEventSynchronize(buffers.downloaded));
+    report.seconds.upload += seconds_between(buffers.begun, buffers.uploaded);
+    report.seconds.trace += seconds_between(buffers.uploaded, buffers.traced);
+    report.seconds.download += seconds_between(buffers.traced, buffers.downloaded);
+  };
+  const auto copy_out = [&](HostRayBuffers::Piece& buffers, const Piece& piece) {
+    for_each_array(list.arrays, piece.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
+      if (!list.arrays[k].page_locked)
+        copy_in_parallel(list.result_of(piece, k), buffers.results.of(0) + offset, array_bytes);
+    });
+  };
+
+  // The last turns have no piece to begin.
+  for (std::size_t turn = 0, last_turns = 0; last_turns < pieces_in_flight; ++turn) {
+    HostRayBuffers::Piece& buffers = borrowed.pieces[turn % pieces_in_flight];
+    Piece& piece = pieces[turn % pieces_in_flight];
+    const Piece last = piece;
+    if (list.request.progress) list.request.progress(share_of_pieces(next_piece, rays, list.request));
+    const std::size_t first = std::min(next_piece.fetch_add(1) * piece_rays, rays.count);
+    piece = {first, std::min(piece_rays, rays.count - first)};
+    last_turns += piece.count == 0 ? 1 : 0;
+    wait(buffers, last);
+    tbb::parallel_invoke([&] { copy_out(buffers, last); }, [&] { copy_in(buffers, piece); });
+    if (piece.count > 0) begin(buffers, piece);
+  }
+}
+
 } // namespace
 
 QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const RayResults& results,
@@ -72,16 +199,7 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
   QueryReport report;
   if (rays.count == 0) return report;
   const DeviceScope device(files.memory->device);
-  const std::size_t piece_rays = rays_per_piece(request);
-  const bool in_place = rays.count <= std::min(rays_in_place, piece_rays);
-  const ResultArrays arrays = arrays_of(results, hit_rules(request).row(), in_place);
-  const bool rays_page_locked = !in_place && is_page_locked(rays.rays);
-  const std::size_t ray_bytes = rays.format.bytes_per_ray();
-  const DeviceArray<Counts> counts(&report.counts, files.are_counted(request.tracing) ? 1 : 0,
-                                   {nullptr, files.memory->pool});
-  const DeviceArray<std::uint32_t> object_masks(rays.filters.object_masks, rays.filters.object_count,
-                                                {nullptr, files.memory->pool});
-  if (counts.size() + object_masks.size() > 0) check(cudaStreamSynchronize(nullptr));
+  const HostList list(files, rays, results, request, report);
   const auto borrowed = files.memory->buffers.borrow();
   struct Drain { // after an error something may still be copied to them
     HostRayBuffers& buffers;
@@ -90,100 +208,13 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
         static_cast<void>(cudaStreamSynchronize(piece.stream));
     }
   } const drain{*borrowed};
-  struct Work {
-    std::size_t first = 0, count = 0;
-  } works[pieces_in_flight];
-
-  const auto rays_of = [&](const Work& work) {
-    return static_cast<const std::uint8_t*>(rays.rays) + work.first * ray_bytes;
-  };
-  const auto copy_in = [&](HostRayBuffers::Piece& piece, const Work& work) {
-    const std::size_t bytes = work.count * ray_bytes;
-    if (!rays_page_locked && bytes > 0) copy_in_parallel(piece.rays.of(bytes), rays_of(work), bytes);
-  };
-  const auto begin = [&](HostRayBuffers::Piece& piece, const Work& work) {
-    const cudaStream_t stream = piece.stream;
-    const std::size_t bytes = work.count * ray_bytes;
-    const void* const from = rays_page_locked ? rays_of(work) : piece.rays.of(bytes);
-    const std::size_t result_bytes = for_each_array(arrays, work.count, [](auto...) {});
-    std::uint8_t* const staging = piece.results.of(result_bytes);
-    const DeviceArray<std::uint8_t> device_rays(in_place ? 0 : bytes, {stream, files.memory->pool}),
-        device_results(in_place ? 0 : result_bytes, {stream, files.memory->pool});
-    std::uint8_t* const found = in_place ? staging : device_results.data();
-    const auto one_per_ray = [&](const std::uint32_t* numbers) {
-      const bool there = numbers != nullptr;
-      return DeviceArray<std::uint32_t>(there ? numbers + work.first : nullptr, there ? work.count : 0,
-                                        {stream, files.memory->pool});
-    };
-    const DeviceArray<std::uint32_t> excluded = one_per_ray(rays.filters.excluded),
-                                     ray_masks = one_per_ray(rays.filters.ray_masks),
-                                     excluded_objects = one_per_ray(rays.placed_filters.excluded_objects),
-                                     worlds = one_per_ray(rays.placed_filters.worlds);
-    RayList list(in_place ? from : device_rays.data(), work.count, rays.format);
-    list.filters = {excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
-    list.placed_filters = {excluded_objects.data(), worlds.data()};
-    check(cudaEventRecord(piece.begun, stream));
-    if (!in_place) check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
-    if (!in_place) check(cudaEventRecord(piece.uploaded, stream));
-    report.kernel =
-        launch_rays(files, list, results_in(found, arrays, work.count), request, counts.data(), stream);
-    if (!in_place) check(cudaEventRecord(piece.traced, stream));
-    const auto bring = [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
-      const ResultArray& array = arrays[k];
-      void* const to = array.page_locked
-                           ? static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_per_ray
-                           : staging + offset;
-      check(cudaMemcpyAsync(to, found + offset, array_bytes, cudaMemcpyDeviceToHost, stream));
-    };
-    if (!in_place) for_each_array(arrays, work.count, bring);
-    check(cudaEventRecord(piece.downloaded, stream));
-  };
-  const auto wait = [&](const HostRayBuffers::Piece& piece, const Work& work) {
-    if (work.count == 0) return;
-    check(cudaEventSynchronize(piece.downloaded));
-    if (in_place) {
-      report.seconds.trace = seconds_between(piece.begun, piece.downloaded);
-      return;
-    }
-    report.seconds.upload += seconds_between(piece.begun, piece.uploaded);
-    report.seconds.trace += seconds_between(piece.uploaded, piece.traced);
-    report.seconds.download += seconds_between(piece.traced, piece.downloaded);
-  };
-  const auto copy_out = [&](HostRayBuffers::Piece& piece, const Work& work) {
-    for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
-      const ResultArray& array = arrays[k];
-      if (!array.page_locked)
-        copy_in_parallel(static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_per_ray,
-                         piece.results.of(0) + offset, array_bytes);
-    });
-  };
-
-  if (in_place) {
-    HostRayBuffers::Piece& piece = borrowed->pieces[0];
-    const Work all{0, rays.count};
+  if (rays.count <= std::min(rays_in_place, rays_per_piece(request))) {
     if (request.progress) request.progress(0);
-    copy_in(piece, all);
-    begin(piece, all);
-    wait(piece, all);
-    copy_out(piece, all);
-    counts.download(&report.counts);
-    return report;
+    trace_in_place(list, borrowed->pieces[0], report);
+  } else {
+    trace_in_pieces(list, *borrowed, report, next_piece);
   }
-  // Turn by turn: what a slot's last piece found leaves its buffers while the next one's rays enter them. The
-  // last turns have none.
-  for (std::size_t turn = 0, last_turns = 0; last_turns < pieces_in_flight; ++turn) {
-    HostRayBuffers::Piece& piece = borrowed->pieces[turn % pieces_in_flight];
-    Work& work = works[turn % pieces_in_flight];
-    const Work last = work;
-    if (request.progress) request.progress(share_of_pieces(next_piece, rays, request));
-    const std::size_t first = std::min(next_piece.fetch_add(1) * piece_rays, rays.count);
-    work = {first, std::min(piece_rays, rays.count - first)};
-    last_turns += work.count == 0 ? 1 : 0;
-    wait(piece, last);
-    tbb::parallel_invoke([&] { copy_out(piece, last); }, [&] { copy_in(piece, work); });
-    if (work.count > 0) begin(piece, work);
-  }
-  counts.download(&report.counts);
+  list.counts.download(&report.counts);
   return report;
 }
 
