@@ -12,7 +12,10 @@ echo "== building the programs: some three minutes on two cores"
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=OFF "${cuda_options[@]}" \
   -- --target nffgen nff2bin gridbuild gridstat gridrender masu_shared # the library: for Python
 for program in mesh2bin gridview; do # of a mesh of one's own, where what they need was found
-  if cmake --build build --target help | grep -qE "\b$program\b"; then build build -- --target $program; fi
+  if cmake --build build --target help | grep -qE "\b$program\b"; then
+    echo "== building $program"
+    build build -- --target $program
+  fi
 done
 
 bin=build/bin
@@ -32,7 +35,7 @@ next, with a mesh of your own (OBJ, PLY, STL, OFF, glTF, FBX, …):
   export PATH=\$PWD/$bin:\$PATH
   mesh2bin model.obj -o out/model.scene
   gridbuild out/model.scene -o out/model.grid
-  gridview out/model.scene out/model.grid         # in a browser
+  gridview out/model.scene out/model.grid         # prints an address for the browser; Ctrl+C ends it
   gridrender out/model.scene out/model.grid -o out/model.png
 NEXT
 for program in mesh2bin gridview; do

@@ -45,7 +45,7 @@ missing_of() { # package…
 # require PACKAGE… [-- PACKAGE…]: packages after -- are optional. Installs missing packages where it may; otherwise
 # prints how to install them.
 require() {
-  local required=() useful=() missing root=()
+  local required=() useful=() missing root=() log
   while [ $# -gt 0 ] && [ "$1" != -- ]; do required+=("$1"); shift; done
   [ $# -gt 0 ] && shift
   useful=("$@")
@@ -57,9 +57,15 @@ require() {
   if [ "$(id -u)" -ne 0 ]; then root=(sudo); fi
   if command -v apt-get >/dev/null &&
       { [ ${#root[@]} -eq 0 ] || { command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; }; }; then
-    echo "== installing ${missing[*]}"
-    "${root[@]}" apt-get update -qq
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive $command -o Dpkg::Use-Pty=0 -qq "${missing[@]}" >/dev/null
+    echo "== installing, which takes minutes: ${missing[*]}"
+    log=$(mktemp) # shown only where it fails: of packages' own messages nothing is to be done
+    if ! { "${root[@]}" apt-get update -qq &&
+        "${root[@]}" env DEBIAN_FRONTEND=noninteractive $command -o Dpkg::Use-Pty=0 -qq "${missing[@]}"; } >"$log" 2>&1; then
+      cat "$log" >&2
+      rm -f "$log"
+      exit 1
+    fi
+    rm -f "$log"
   elif [ ${#required[@]} -gt 0 ]; then
     echo "$0: missing, and only root can install it: sudo $command ${required[*]}" >&2
     exit 1
@@ -101,17 +107,18 @@ find_cuda() {
 # Shows a build's progress: on a terminal in one line, otherwise a line for each tenth, and for each half minute without
 # progress.
 show_progress() {
-  local line shown=0 tenth begin=$SECONDS last=$SECONDS
+  local line count= shown=0 tenth begin=$SECONDS last=$SECONDS
   while true; do
     if IFS= read -r -t 5 line; then
       [[ $line =~ ^\[\ *([0-9]+)[/%] ]] || continue
+      count=${line%%]*}]
       if [ -t 1 ]; then printf '\r\033[K%.*s' "$((${COLUMNS:-80} - 1))" "$line"; continue; fi
       [[ $line =~ ^\[([0-9]+)/([0-9]+) ]] && tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2])) || tenth=$((BASH_REMATCH[1] / 10))
       [ "$tenth" -gt "$shown" ] || continue
       shown=$tenth
     elif [ $? -gt 128 ]; then # no output for 5 s
       [ -t 1 ] || [ $((SECONDS - last)) -ge 30 ] || continue
-      line="still compiling"
+      line="${count:+$count }still compiling"
     else
       break
     fi

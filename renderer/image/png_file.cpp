@@ -19,8 +19,8 @@ constexpr std::size_t channels = 3;
 constexpr std::size_t band_bytes = std::size_t{1} << 19;
 
 void put(std::vector<std::uint8_t>& bytes, std::uint32_t value) { // big-endian
-  for (int shift = 24; shift >= 0; shift -= 8)
-    bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+  const auto byte = [value](int shift) { return static_cast<std::uint8_t>(value >> shift); };
+  bytes.insert(bytes.end(), {byte(24), byte(16), byte(8), byte(0)});
 }
 
 void put_chunk(std::vector<std::uint8_t>& bytes, const char* type, std::span<const std::uint8_t> data) {

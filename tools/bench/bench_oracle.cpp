@@ -100,8 +100,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   add_count(command, "--count", settings.count, "number of random rays", 28);
   add_seed(command, settings.seed);
   add_names(command, "--precision", settings.precisions, {"fast", "robust", "double"},
-            "precisions: fast, robust, double")
-      .shows_default();
+            "precisions: fast, robust, double");
   command.add_flag("--first-cell-hit", settings.first_cell_hit,
                    "terminate at the first cell in which anything is hit (see gridrender --help)");
 }
