@@ -414,7 +414,7 @@ typedef enum masu_faces { MASU_FACES_BOTH = 0, MASU_FACES_FRONT = 1, MASU_FACES_
 /* How a GPU schedules rays for nearest hits and occlusion without filters, sides, t64 and front; of others it
  * is chosen. Results are the same. */
 typedef enum masu_loop {
-  MASU_LOOP_AUTO = 0,           /* by a look at the rays; through a grid by a sample of them or of the scene's */
+  MASU_LOOP_AUTO = 0, /* by a look at the rays; through a grid by a sample of them or of the scene's */
   MASU_LOOP_THREAD_PER_RAY = 1, /* neighbours that take equally long: primary rays, few hits */
   MASU_LOOP_WARP = 2,           /* similar ones through a grid, where some try many primitives; through a
                                    hierarchy MASU_LOOP_THREAD_PER_RAY */
