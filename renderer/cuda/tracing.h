@@ -79,7 +79,7 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Structure& g
   const SceneView<Stored>& scene = files.scene.view;
   const auto count = static_cast<std::uint32_t>(batch.count);
   const cudaStream_t stream = batch.memory.stream;
-  const bool refills = loop == RayLoop::warp_refill;
+  const bool refills = loop != RayLoop::warp;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Structure>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Structure>;
   const auto known = files.kernels->of(trace, rays_per_block),
@@ -185,7 +185,8 @@ template <class C, Query query, class M, class Structure>
 constexpr bool has_loops =
     std::is_same_v<C, NoCounts>&& has_warp_loops<query, typename M::TestRay, Structure>;
 
-// How a list goes through each structure, by the loop that is asked for where that has kernels:
+// How a list goes through each structure, by the loop that is asked for where that has kernels; automatic is
+// chosen on the device through a hierarchy, elsewhere warp_refill:
 //
 //                    thread_per_ray       warp             warp_refill
 //   merged grid      trace_by_threads     trace_by_warps   trace_by_warps
