@@ -8,7 +8,7 @@ source tools/setup.sh
 require "${basics[@]}" -- "${extras[@]}"
 find_cuda
 
-echo "== building the programs: some three minutes on two cores"
+echo "== building the programs: some four minutes on two cores"
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=OFF "${cuda_options[@]}" \
   -- --target nffgen nff2bin gridbuild gridstat gridrender masu_shared # the library: for Python
 for program in mesh2bin gridview; do # of a mesh of one's own, where what they need was found
