@@ -460,11 +460,12 @@ TEST_F(MpiRuns, FilesThatAreThereStay) {
 TEST_F(MpiRuns, AFailedOrTerminatedRunLeavesNoOutputs) {
   const Job job = large("b", "pfm", "centers");
   const auto before = folder_.listing();
-  // Whichever band a rank writes, it lies beyond 8 MB in one of the files.
+  // Whichever band a rank writes, it lies beyond 8 MB in one of the files; memory that ranks share must not.
   const std::string command = "ulimit -f 16000; exec \"$0\" \"$@\"";
-  const ToolResult result = run(MASU_MPIRUN, joined({"--oversubscribe", "-n", "2", "/bin/sh", "-c", command,
-                                                     std::string(MASU_BIN_DIR) + "/gridrender-mpi"},
-                                                    job.arguments));
+  const ToolResult result =
+      run(MASU_MPIRUN, joined({"--mca", "btl_sm_segment_size", "1048576", "--oversubscribe", "-n", "2",
+                               "/bin/sh", "-c", command, std::string(MASU_BIN_DIR) + "/gridrender-mpi"},
+                              job.arguments));
   EXPECT_EQ(result.code, 3) << result.err;
   EXPECT_EQ(folder_.listing(), before);
   // mpirun takes a second to end its ranks, at last by SIGKILL: then their temporary files may be left for
