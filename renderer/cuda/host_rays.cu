@@ -22,7 +22,6 @@ bool is_page_locked(const void* host) {
 struct ResultArray {
   void* host;
   std::size_t bytes_per_ray;
-  bool page_locked;
 };
 using ResultArrays = std::array<ResultArray, 15>;
 
@@ -31,7 +30,7 @@ ResultArrays arrays_of(const RayResults& results, std::size_t row) {
   ResultArrays arrays{};
   std::size_t k = 0;
   for_each_array(results, [&](auto* host) {
-    arrays[k] = {host, (k < arrays_of_hits ? row : 1) * sizeof(*host), is_page_locked(host)};
+    arrays[k] = {host, (k < arrays_of_hits ? row : 1) * sizeof(*host)};
     ++k;
   });
   return arrays;
@@ -140,6 +139,9 @@ void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport
   const MemoryPool& pool = list.files.memory->pool;
   const std::size_t piece_rays = rays_per_piece(list.request);
   const bool rays_page_locked = is_page_locked(rays.rays);
+  std::array<bool, std::tuple_size_v<ResultArrays>> page_locked{};
+  for (std::size_t k = 0; k < page_locked.size(); ++k)
+    page_locked[k] = is_page_locked(list.arrays[k].host);
   Piece pieces[pieces_in_flight];
 
   const auto copy_in = [&](HostRayBuffers::Piece& buffers, const Piece& piece) {
@@ -158,7 +160,7 @@ void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport
     report.kernel = list.launch(piece, device_rays.data(), found.data(), stream);
     check(cudaEventRecord(buffers.traced, stream));
     for_each_array(list.arrays, piece.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
-      void* const to = list.arrays[k].page_locked ? list.result_of(piece, k) : staging + offset;
+      void* const to = page_locked[k] ? list.result_of(piece, k) : staging + offset;
       check(cudaMemcpyAsync(to, found.data() + offset, array_bytes, cudaMemcpyDeviceToHost, stream));
     });
     check(cudaEventRecord(buffers.downloaded, stream));
@@ -172,7 +174,7 @@ void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport
   };
   const auto copy_out = [&](HostRayBuffers::Piece& buffers, const Piece& piece) {
     for_each_array(list.arrays, piece.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
-      if (!list.arrays[k].page_locked)
+      if (!page_locked[k])
         copy_in_parallel(list.result_of(piece, k), buffers.results.of(0) + offset, array_bytes);
     });
   };
