@@ -234,7 +234,7 @@ void compare_pixels(std::int64_t scenes, Chance& chance) {
             << described(scene);
     }
   }
-  EXPECT_GT(hits, scenes * 6);
+  EXPECT_GT(hits, scenes * 3);
 }
 TEST_F(RaysByEight, ShowOfEachPixelWhatItSeesAlone) {
   compare_pixels<float>(cases(300), chance_);
