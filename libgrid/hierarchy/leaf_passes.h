@@ -201,7 +201,7 @@ template <class Executor, class Stored>
 ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const SceneView<Stored>& scene,
                                                const GridLayout& layout) {
   const std::uint64_t primitives = scene.primitive_count();
-  const auto sum = joined<WidthSum>(executor, primitives, WidthOf<Stored>{scene});
+  const auto sum = joined_in_order<WidthSum>(executor, primitives, WidthOf<Stored>{scene});
   const Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space),
                                 static_cast<float>(sum.width / static_cast<double>(sum.count))};
   auto sorted = executor.template emit_sorted<BinaryNode>(primitives, 3 * MortonCurve::bits_per_axis + 1,

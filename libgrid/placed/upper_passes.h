@@ -4,9 +4,8 @@
 //   1. tree   binary: each node divides a range of items where the highest bit changes in which their keys
 //             differ, all nodes at once (Karras, "Maximizing Parallelism in the Construction of BVHs,
 //             Octrees, and k-d Trees", HPG 2012)
-//   2. boxes  from the items up: a node's by whoever comes to it second
-//   3. roots  of groups
-//   4. nodes  of eight boxes, level by level: of a binary node what is left when the largest cells of the
+//   2. boxes  from the items up: a node's by whoever comes to it second; and roots of groups
+//   3. nodes  of eight boxes, level by level: of a binary node what is left when the largest cells of the
 //             curve below it have been divided. An item is a node, too, without boxes, with the item's number
 //             as its first reference.
 //
@@ -89,6 +88,7 @@ struct UpperArrays {
   }
   MASU_HD void add_tree_node(std::uint32_t i) const {
     tree[i] = order.node(i);
+    arrivals[i] = 0;
     parents[left(tree[i])] = parents[right(tree[i])] = i;
     if (tree[i].first == 0 && tree[i].last == order.count - 1) parents[i] = none;
   }
@@ -99,11 +99,13 @@ struct UpperArrays {
          i = parents[i])
       boxes[i] = join(boxes[left(tree[i])], boxes[right(tree[i])]);
   }
-  // What the hierarchy of a range of items is of.
-  MASU_HD std::uint32_t root(std::uint32_t first, std::uint32_t end) const {
-    if (end - first == 1) return order.count + first;
-    return tree[first].first == first && tree[first].last == end - 1 ? first : end - 1;
+  // Makes a group's root the node of its number. Returns that, or none.
+  MASU_HD std::uint32_t add_root(std::uint32_t group) const {
+    const std::uint32_t first = first_of(group), end = first_of(group + 1);
+    contents[group] = first != end ? content_of(first, end) : none;
+    return first != end ? group : no_root;
   }
+
   // Node `i` of a level, and what is in the nodes below it; at the last level the nodes below, too.
   MASU_HD void write_level(int level, bool is_last, std::uint32_t i) const {
     if (i >= widths[level]) return;
@@ -121,6 +123,23 @@ struct UpperArrays {
   }
 
 private:
+  // The first item of no group before.
+  MASU_HD std::uint32_t first_of(std::uint64_t group) const {
+    std::uint32_t low = 0, high = order.count;
+    while (low < high) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      if (order.keys[middle] >> code_bits < group)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    return low;
+  }
+  // What the hierarchy of a range of items is of.
+  MASU_HD std::uint32_t content_of(std::uint32_t first, std::uint32_t end) const {
+    if (end - first == 1) return order.count + first;
+    return tree[first].first == first && tree[first].last == end - 1 ? first : end - 1;
+  }
   // Returns how many nodes are below it.
   MASU_HD std::uint32_t write_node(std::uint32_t number, int level, std::uint32_t begin_below) const {
     const std::uint32_t content = contents[number];
@@ -170,7 +189,7 @@ upper_hierarchies(Executor& executor, const Sorted<Executor, std::uint32_t>& sor
                   const BoxOf& box_of) {
   const auto count = static_cast<std::uint32_t>(sorted.values.size());
   // Levels by all threads; what little is below them is left to those of the last one.
-  const int levels = (static_cast<int>(std::bit_width(count)) + 2) / 3 + 3;
+  const int levels = (static_cast<int>(std::bit_width(count)) + 2) / 3 + 1;
   // Of a binary node's eight boxes all are full, or all are items: so there are fewer than 4/7 nodes an item.
   auto nodes = executor.template array<HierarchyNode>(groups + count + std::uint64_t{count} * 4 / 7 + 1);
   auto roots = executor.template array<std::uint32_t>(groups);
@@ -178,8 +197,8 @@ upper_hierarchies(Executor& executor, const Sorted<Executor, std::uint32_t>& sor
   auto tree = executor.template array<RangeNode>(count);
   auto boxes = executor.template array<Boxf>(2 * std::uint64_t{count});
   auto parents = executor.template array<std::uint32_t>(2 * std::uint64_t{count});
-  auto arrivals = executor.template zeros<std::uint32_t>(count);
-  auto widths = executor.template zeros<std::uint32_t>(static_cast<std::uint64_t>(levels) + 1);
+  auto arrivals = executor.template array<std::uint32_t>(count);
+  auto widths = executor.template array<std::uint32_t>(static_cast<std::uint64_t>(levels) + 1);
   const UpperArrays upper{{sorted.keys.data(), count},
                           sorted.values.data(),
                           tree.data(),
@@ -191,26 +210,15 @@ upper_hierarchies(Executor& executor, const Sorted<Executor, std::uint32_t>& sor
                           widths.data()};
   executor.for_each(count > 0 ? count - 1 : 0,
                     [=] MASU_PASS(std::uint64_t i) { upper.add_tree_node(static_cast<std::uint32_t>(i)); });
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    upper.join_boxes(static_cast<std::uint32_t>(i), box_of(upper.items[i]));
-  });
   std::uint32_t* const root = roots.data();
-  executor.for_each(groups, [=] MASU_PASS(std::uint64_t group) {
-    const auto first_of = [&](std::uint64_t own) { // the first item of no group before
-      std::uint32_t low = 0, high = count;
-      while (low < high) {
-        const std::uint32_t middle = low + (high - low) / 2;
-        if (upper.order.keys[middle] >> code_bits < own)
-          low = middle + 1;
-        else
-          high = middle;
-      }
-      return low;
-    };
-    const std::uint32_t first = first_of(group), end = first_of(group + 1);
-    root[group] = first != end ? static_cast<std::uint32_t>(group) : no_root;
-    upper.contents[group] = first != end ? upper.root(first, end) : UpperArrays::none;
-    if (group == 0) upper.widths[0] = groups;
+  executor.for_each(std::uint64_t{count} + groups, [=] MASU_PASS(std::uint64_t i) {
+    const auto item = static_cast<std::uint32_t>(i);
+    if (i < count)
+      upper.join_boxes(item, box_of(upper.items[item]));
+    else
+      root[i - count] = upper.add_root(static_cast<std::uint32_t>(i - count));
+    for (std::uint64_t level = 0; i == count && level <= static_cast<std::uint64_t>(levels); ++level)
+      upper.widths[level] = level == 0 ? groups : 0;
   });
   std::uint64_t most = groups; // nodes of a level: each has items of its own
   for (int level = 0; level < levels; ++level, most = std::min(8 * most, std::uint64_t{count}))

@@ -1,15 +1,18 @@
 // Executor (executor.h) on a CUDA device. CUDA sources only.
 #pragma once
 
+#include "libscene/base/atomic.h"
 #include "libscene/base/progress_monitor.h"
 #include "libscene/cuda/device_memory.h"
 #include "libscene/passes/executor.h"
 
+#include <cub/block/block_radix_sort.cuh>
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <optional>
 
 namespace masu {
@@ -67,10 +70,7 @@ struct WarpTile : SharedByThreads {
     return first;
   }
 
-private:
-  __device__ static unsigned all() {
-    return width == 32 ? 0xffffffffU : ((1U << width % 32) - 1) << (threadIdx.x % 32 / width * width);
-  }
+  // Another lane's record.
   template <class Record>
   __device__ Record of_lane(const Record& own, std::uint32_t other) const {
     static_assert(sizeof(Record) % sizeof(std::uint32_t) == 0);
@@ -82,7 +82,20 @@ private:
       word = __shfl_sync(all(), word, static_cast<int>(other), width);
     return std::bit_cast<Record>(words);
   }
+
+private:
+  __device__ static unsigned all() {
+    return width == 32 ? 0xffffffffU : ((1U << width % 32) - 1) << (threadIdx.x % 32 / width * width);
+  }
 };
+
+// The join of all lanes' parts, for each of them.
+template <unsigned width, class Part>
+__device__ Part joined_by(const WarpTile<width>& tile, Part own) {
+  for (unsigned apart = width / 2; apart > 0; apart /= 2)
+    own = join(own, tile.of_lane(own, tile.thread_rank() ^ apart));
+  return own;
+}
 
 // A block's threads. Candidates are the first warp's.
 struct ThreadBlock : SharedByThreads {
@@ -114,29 +127,91 @@ struct ThreadBlock : SharedByThreads {
   }
 };
 
+// The join of all threads' parts, for the first of them.
+template <class Part>
+__device__ Part joined_by(const ThreadBlock& block, Part own) {
+  constexpr unsigned warp = 32, max_warps = 32;
+  __shared__ alignas(Part) std::byte memory[max_warps * sizeof(Part)];
+  Part* const parts = reinterpret_cast<Part*>(memory);
+  own = joined_by(WarpTile<warp>{}, own);
+  block.sync(); // the last call's have been read
+  if (threadIdx.x % warp == 0) parts[threadIdx.x / warp] = own;
+  block.sync();
+  if (threadIdx.x >= warp) return own;
+  return joined_by(WarpTile<warp>{}, threadIdx.x < blockDim.x / warp ? parts[threadIdx.x] : Part{});
+}
+
 namespace kernels {
 
 inline constexpr unsigned threads = 256;
 
+// What another block has written during this kernel, which the L1 may not know.
+template <class Part>
+__device__ Part read_past_l1(const Part* from) {
+  struct Words {
+    std::uint32_t word[sizeof(Part) / sizeof(std::uint32_t)];
+  } words;
+  for (unsigned k = 0; k < sizeof(Part) / sizeof(std::uint32_t); ++k)
+    words.word[k] = __ldcg(reinterpret_cast<const std::uint32_t*>(from) + k);
+  return std::bit_cast<Part>(words);
+}
+
+// Each block joins its share; the last to come joins what they have left.
+template <class Part, class Act>
+__global__ void __launch_bounds__(threads)
+    join_all(std::uint64_t count, const __grid_constant__ Act act, Part* parts, std::uint32_t* arrivals) {
+  __shared__ bool is_last;
+  Part own{};
+  for (std::uint64_t i = std::uint64_t{blockIdx.x} * threads + threadIdx.x; i < count;
+       i += std::uint64_t{gridDim.x} * threads)
+    own = join(own, act(i));
+  own = joined_by(ThreadBlock{}, own);
+  if (threadIdx.x == 0) {
+    parts[1 + blockIdx.x] = own;
+    is_last = arrived(*arrivals) == gridDim.x - 1;
+    if (is_last) *arrivals = 0; // for the next kernel
+  }
+  __syncthreads();
+  if (!is_last) return;
+  own = {};
+  for (unsigned i = threadIdx.x; i < gridDim.x; i += threads)
+    own = join(own, read_past_l1(parts + 1 + i));
+  own = joined_by(ThreadBlock{}, own);
+  if (threadIdx.x == 0) parts[0] = own;
+}
+
 // Most boxes hold few things: eight threads share one. What is too much for them is put on a list, whose
 // length is large[0].
-inline constexpr unsigned tile_width = 8, max_for_tile = 256;
+inline constexpr unsigned max_for_tile = 256;
+template <class Work>
+concept has_size = requires(const Work& work) {
+  work.size(0);
+};
+template <class Work>
+constexpr unsigned tile_width() {
+  if constexpr (requires { Work::threads; }) return Work::threads;
+  return 8;
+}
 // Tiles of a block: as many as its shared memory holds the scratch of.
 template <class Work>
-inline constexpr unsigned tiles =
-    std::min(threads / tile_width, std::bit_floor(unsigned{48 * 1024 / sizeof(typename Work::Scratch)}));
+inline constexpr unsigned
+    tiles = std::min(threads / tile_width<Work>(),
+                     std::bit_floor(unsigned{48 * 1024 / sizeof(typename Work::Scratch)}));
 template <class Work>
-__global__ void __launch_bounds__(tiles<Work>* tile_width)
+__global__ void __launch_bounds__(tiles<Work>* tile_width<Work>())
     each_by_tile(std::uint64_t count, const __grid_constant__ Work work, std::uint32_t* large) {
   __shared__ typename Work::Scratch scratch[tiles<Work>];
-  const unsigned own = threadIdx.x / tile_width;
+  constexpr unsigned width = tile_width<Work>();
+  const unsigned own = threadIdx.x / width;
   const std::uint64_t i = std::uint64_t{blockIdx.x} * tiles<Work> + own;
   if (i >= count) return;
-  if (work.size(i) > max_for_tile) {
-    if (threadIdx.x % tile_width == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
-    return;
+  if constexpr (has_size<Work>) {
+    if (work.size(i) > max_for_tile) {
+      if (threadIdx.x % width == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
+      return;
+    }
   }
-  work(WarpTile<tile_width>{}, scratch[own], i);
+  work(WarpTile<width>{}, scratch[own], i);
 }
 
 inline constexpr unsigned blocks_for_large = 1024;
@@ -147,6 +222,30 @@ __global__ void __launch_bounds__(threads)
   for (std::uint32_t i = blockIdx.x; i < large[0]; i += gridDim.x) {
     work(ThreadBlock{}, scratch, large[1 + i]);
     __syncthreads();
+  }
+}
+
+// So few are sorted by one block, in half of the time that CUB's passes over memory take.
+inline constexpr unsigned sorting_threads = 512, sorted_by_thread = 8, bits_at_once = 5,
+                          max_for_block = sorting_threads * sorted_by_thread;
+template <class Value>
+__global__ void __launch_bounds__(sorting_threads)
+    sort_by_block(std::uint64_t* keys, Value* values, unsigned count, int bits) {
+  using Sort = cub::BlockRadixSort<std::uint64_t, sorting_threads, sorted_by_thread, Value, bits_at_once>;
+  __shared__ typename Sort::TempStorage memory;
+  std::uint64_t own_keys[sorted_by_thread];
+  Value own_values[sorted_by_thread];
+  for (unsigned k = 0; k < sorted_by_thread; ++k) {
+    const unsigned i = threadIdx.x * sorted_by_thread + k;
+    own_keys[k] = i < count ? keys[i] : ~std::uint64_t{0}; // after all others
+    own_values[k] = i < count ? values[i] : Value{};
+  }
+  Sort(memory).SortBlockedToStriped(own_keys, own_values, 0, bits);
+  for (unsigned k = 0; k < sorted_by_thread; ++k) {
+    const unsigned i = k * sorting_threads + threadIdx.x;
+    if (i >= count) continue;
+    keys[i] = own_keys[k];
+    values[i] = own_values[k];
   }
 }
 
@@ -192,11 +291,27 @@ public:
     if (count == 0) return;
     check_progress(progress_);
     using namespace kernels;
-    const auto large = array<std::uint32_t>(count + 1);
-    check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
-    launch(each_by_tile<Work>, blocks_of(tiles<Work>, count), tiles<Work> * tile_width, nullptr, count, work,
-           large.data());
-    launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
+    DeviceArray<std::uint32_t> large;
+    if constexpr (has_size<Work>) {
+      large = array<std::uint32_t>(count + 1);
+      check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
+    }
+    launch(each_by_tile<Work>, blocks_of(tiles<Work>, count), tiles<Work> * tile_width<Work>(), nullptr,
+           count, work, large.data());
+    if constexpr (has_size<Work>)
+      launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
+  }
+  template <class Part, class Act>
+  Array<Part> joined(std::uint64_t count, const Act& act) const {
+    constexpr std::uint64_t max_blocks = 512;
+    const unsigned blocks = std::max(
+        1U, static_cast<unsigned>(std::min(max_blocks, (count + kernels::threads - 1) / kernels::threads)));
+    check_progress(progress_);
+    auto parts = array<Part>(1 + std::uint64_t{blocks});
+    if (arrivals_.size() == 0) arrivals_ = zeros<std::uint32_t>(1);
+    launch(kernels::join_all<Part, Act>, blocks, kernels::threads, nullptr, count, act, parts.data(),
+           arrivals_.data());
+    return parts;
   }
   template <class T>
   void scan(Array<T>& values) const {
@@ -272,6 +387,14 @@ private:
   template <class Value>
   void sort(Array<std::uint64_t>& keys, Array<Value>& values, int bits) const {
     if (keys.size() == 0) return;
+    if constexpr (sizeof(Value) <= sizeof(std::uint64_t)) {
+      using namespace kernels;
+      if (keys.size() <= max_for_block) {
+        launch(sort_by_block<Value>, 1, sorting_threads, nullptr, keys.data(), values.data(),
+               static_cast<unsigned>(keys.size()), bits);
+        return;
+      }
+    }
     auto other_keys = array<std::uint64_t>(keys.size());
     auto other_values = array<Value>(values.size());
     cub::DoubleBuffer<std::uint64_t> key_buffers(keys.data(), other_keys.data());
@@ -294,6 +417,7 @@ private:
 
   StreamMemory memory_; // the default stream
   const ProgressMonitor* progress_;
+  mutable Array<std::uint32_t> arrivals_; // of blocks that join; 0 between kernels
 };
 
 } // namespace masu

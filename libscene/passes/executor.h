@@ -6,7 +6,9 @@
 //   array<T>(count)               of any content;  zeros<T>(count)
 //   for_each(count, act)          act(i) for i = 0 … count - 1
 //   for_each_by_group(count, work)  work(group, scratch, i): a group of threads (thread_group.h) to each i, a
-//                                 larger one where work.size(i) is large; they share a Work::Scratch
+//                                 larger one where work.size(i) is large; they share a Work::Scratch. Work
+//                                 without size() is never large; Work::threads says how many share it (8)
+//   joined<Part>(count, act)      join() of act(0) … act(count - 1), in any order: one, in its Memory
 //   scan(values)                  values[i] becomes the sum of all before it
 //   value(values, i)              one value, for the host
 //   has_warps                     whether its threads run in step, so that work is better sorted by its kind

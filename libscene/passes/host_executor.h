@@ -8,6 +8,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <atomic>
@@ -46,6 +47,21 @@ public:
       typename Work::Scratch scratch; // NOLINT(cppcoreguidelines-pro-type-member-init): work writes it first
       work(SingleThread{}, scratch, i);
     });
+  }
+  template <class Part, class Act>
+  Array<Part> joined(std::uint64_t count, const Act& act) const {
+    const auto over = [&](std::uint64_t begin, std::uint64_t end, Part part) {
+      check_progress(progress);
+      for (; begin != end; ++begin)
+        part = join(part, act(begin));
+      return part;
+    };
+    if constexpr (!parallel) return Array<Part>(1, over(0, count, Part{}));
+    return Array<Part>(
+        1, tbb::parallel_reduce(
+               tbb::blocked_range<std::uint64_t>(0, count, 512), Part{},
+               [&](const auto& range, const Part& part) { return over(range.begin(), range.end(), part); },
+               [](const Part& a, const Part& b) { return join(a, b); }));
   }
   template <class T>
   void scan(Array<T>& values) const {

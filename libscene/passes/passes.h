@@ -23,10 +23,11 @@ struct ElementOf {
   MASU_HD Part operator()(std::uint64_t i) const { return elements[i]; }
 };
 
-// The join of of(0) … of(count - 1), one in the executor's memory. A thread's share is so many.
-template <class Part, std::uint64_t share = 64, class Executor, class Of>
-ArrayOf<Executor, Part> joined_there(Executor& executor, std::uint64_t count, const Of& of) {
-  const std::uint64_t parts_count = max((count + share - 1) / share, std::uint64_t{1});
+// The join of of(0) … of(count - 1), the same on all executors where it rounds: a thread's share is so many.
+template <class Part, class Executor, class Of>
+Part joined_in_order(Executor& executor, std::uint64_t count, const Of& of) {
+  constexpr std::uint64_t share = 64;
+  const std::uint64_t parts_count = (count + share - 1) / share;
   auto parts = executor.template array<Part>(parts_count);
   Part* const part = parts.data();
   executor.for_each(parts_count, [=] MASU_PASS(std::uint64_t first) {
@@ -35,12 +36,9 @@ ArrayOf<Executor, Part> joined_there(Executor& executor, std::uint64_t count, co
       own = join(own, of(i));
     part[first] = own;
   });
-  if (parts_count == 1) return parts;
-  return joined_there<Part, share>(executor, parts_count, ElementOf<Part>{part});
-}
-template <class Part, class Executor, class Of>
-Part joined(Executor& executor, std::uint64_t count, const Of& of) {
-  return count != 0 ? executor.value(joined_there<Part>(executor, count, of), 0) : Part{};
+  if (parts_count == 0) return {};
+  if (parts_count == 1) return executor.value(parts, 0);
+  return joined_in_order<Part>(executor, parts_count, ElementOf<Part>{part});
 }
 
 // The set (atomic.h) of so many numbers, all below `end`.

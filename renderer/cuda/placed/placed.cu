@@ -66,8 +66,8 @@ DeviceArray<Transform> replaced(const DeviceArray<Transform>& before, const Plac
                                 const Number* given, const StreamMemory& memory) {
   CudaExecutor executor(memory.pool);
   const std::uint64_t count = before.size(), moving = moves.count;
-  auto last =
-      executor.zeros<std::uint32_t>(count + 1); // number of a placement's last, from 1 on; what is wrong
+  // Of each placement the number of its last, from 1 on; and what is wrong.
+  auto last = executor.zeros<std::uint32_t>(moves.indices != nullptr ? count + 1 : 0);
   auto after = executor.array<Transform>(count);
   std::uint32_t* const last_of = last.data();
   const std::uint32_t* const indices = moves.indices;
