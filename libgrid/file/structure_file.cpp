@@ -83,6 +83,7 @@ StructureFile::StructureFile(ContainerFile container) : TableFile(std::move(cont
   check(is_finite(origin()) && largest_magnitude(origin()) <= max_origin, "its origin is invalid");
   check(table_->block_log2() <= 5, "its blocks are impossible");
   container_.read_sections(sections());
+  records_ = records_of_sections();
   check_sizes();
   if (container_.has_records_to_check()) {
     const char* const fault = fault_of(HostChecker{}, records());
@@ -92,7 +93,7 @@ StructureFile::StructureFile(ContainerFile container) : TableFile(std::move(cont
 }
 
 void StructureFile::check_sizes() const {
-  const StructureRecords held = records();
+  const StructureRecords& held = records();
   const std::uint64_t words = held.words;
   const Vec3i n = held.layout.division;
   bool good = false;
@@ -128,7 +129,7 @@ GridLayout StructureFile::layout() const {
           table_->margin()};
 }
 
-StructureRecords StructureFile::records() const {
+StructureRecords StructureFile::records_of_sections() const {
   return {voxel_map().data(),
           cells().data(),
           references().data(),

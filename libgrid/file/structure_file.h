@@ -60,7 +60,7 @@ public:
     return TableFile::records<HierarchyNode>(fb::StructureSection::nodes);
   }
   // The same arrays, and how long they are also where the records stay in the file.
-  StructureRecords records() const;
+  const StructureRecords& records() const { return records_; }
 
   // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
   void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
@@ -82,7 +82,10 @@ public:
 private:
   friend StructureFile structure_in_memory(const Structure&, const StructureProvenance&);
   explicit StructureFile(ContainerFile container);
+  StructureRecords records_of_sections() const;
   void check_sizes() const;
+
+  StructureRecords records_{}; // found once: a query of one ray needs them, too
 };
 
 } // namespace masu

@@ -323,8 +323,8 @@ void ContainerFile::read_sections(std::span<const fb::Section> sections) {
     check(hashes[i] == hash_of(sections[i].hash()), damaged_section);
 }
 
-const fb::Section* ContainerFile::plane_cut_of(std::span<const fb::Section> sections, std::uint32_t kind,
-                                               std::size_t record_bytes) const {
+const fb::Section* ContainerFile::section_of(std::span<const fb::Section> sections, std::uint32_t kind,
+                                             std::size_t record_bytes) const {
   for (const fb::Section& section : sections) {
     if (section.kind() != kind) continue;
     if (section.record_bytes() != record_bytes)

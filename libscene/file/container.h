@@ -193,13 +193,13 @@ public:
   // Error(input) when its record size isn't T's.
   template <class T>
   std::uint64_t count(std::span<const fb::Section> sections, std::uint32_t kind) const {
-    const fb::Section* const section = plane_cut_of(sections, kind, sizeof(T));
+    const fb::Section* const section = section_of(sections, kind, sizeof(T));
     return section != nullptr ? section->count() : 0;
   }
   // The records themselves; empty where they stay in the file.
   template <class T>
   std::span<const T> records(std::span<const fb::Section> sections, std::uint32_t kind) const {
-    const fb::Section* const section = plane_cut_of(sections, kind, sizeof(T));
+    const fb::Section* const section = section_of(sections, kind, sizeof(T));
     if (section == nullptr || body_.empty()) return {};
     return {reinterpret_cast<const T*>(bytes_of(*section).data()), section->count()};
   }
@@ -210,7 +210,7 @@ public:
   // For a copy of the records that stay in the file, where there are any.
   template <class T>
   SectionReader reader(std::span<const fb::Section> sections, std::uint32_t kind) const {
-    return {*file_, prelude().body_offset, *plane_cut_of(sections, kind, sizeof(T))};
+    return {*file_, prelude().body_offset, *section_of(sections, kind, sizeof(T))};
   }
   // When all is checked.
   void set_validated() { seconds_.validate = watch_.seconds() - seconds_.map; }
@@ -226,8 +226,8 @@ private:
   const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(head_.bytes().data()); }
   // Has a section where it is wanted; returns its hash.
   Hash read_section(const fb::Section& section);
-  const fb::Section* plane_cut_of(std::span<const fb::Section> sections, std::uint32_t kind,
-                                  std::size_t record_bytes) const;
+  const fb::Section* section_of(std::span<const fb::Section> sections, std::uint32_t kind,
+                                std::size_t record_bytes) const;
 
   Stopwatch watch_; // since it was opened
   LoadSeconds seconds_;

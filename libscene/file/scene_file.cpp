@@ -279,6 +279,10 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
   check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
             counted.cones() < limit,
         "its counts of objects are too large");
+  if (is_float64())
+    view_ = view_of_sections<double>();
+  else
+    view_ = view_of_sections<float>();
   with_view([&]<class Stored>(const SceneView<Stored>& view) {
     const Lighting<Stored> lit = lighting<Stored>();
     if (!container_.has_records_to_check()) return;
@@ -337,7 +341,7 @@ template SceneFile SceneFile::with_triangles(std::span<const Triangle<float>>, c
 template SceneFile SceneFile::with_triangles(std::span<const Triangle<double>>, const Boxd&) const;
 
 template <class Stored>
-SceneView<Stored> SceneFile::view() const {
+SceneView<Stored> SceneFile::view_of_sections() const {
   using fb::SceneSection;
   SceneView<Stored> view{};
   bool is_consistent = true;
@@ -375,8 +379,6 @@ Lighting<Stored> SceneFile::lighting() const {
           table_->ambient()};
 }
 
-template SceneView<float> SceneFile::view<float>() const;
-template SceneView<double> SceneFile::view<double>() const;
 template Lighting<float> SceneFile::lighting<float>() const;
 template Lighting<double> SceneFile::lighting<double>() const;
 

@@ -8,6 +8,7 @@
 #include "schemas/scene_generated.h"
 
 #include <string>
+#include <variant>
 
 namespace masu {
 
@@ -90,7 +91,9 @@ public:
   // Points into its memory, or nowhere where the records stay in the file; Stored must be the file's own
   // (is_float64).
   template <class Stored>
-  SceneView<Stored> view() const;
+  const SceneView<Stored>& view() const {
+    return std::get<SceneView<Stored>>(view_);
+  }
   template <class Stored>
   Lighting<Stored> lighting() const;
   // What act(the view of the file's own) returns.
@@ -104,8 +107,11 @@ private:
   friend SceneFile scene_in_memory(const SceneOf<Triangles>&, Store, const std::optional<Vec3d>&,
                                    const ProgressMonitor*);
   explicit SceneFile(ContainerFile container);
+  template <class Stored>
+  SceneView<Stored> view_of_sections() const;
 
   Hash geometry_hash_;
+  std::variant<SceneView<float>, SceneView<double>> view_; // made once: a query of one ray needs it, too
 };
 
 } // namespace masu

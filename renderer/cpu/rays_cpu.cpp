@@ -6,8 +6,8 @@
 #endif
 
 #include <tbb/blocked_range.h>
-#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 namespace masu {
 namespace {
@@ -58,9 +58,7 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
   using Real = typename M::Real;
   ListProgress progress(report_progress, rays.count, 256,
                         std::is_same_v<Structure, NoStructure> ? scene.primitive_count() : 0);
-  tbb::combinable<Counts> totals;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task), [&](const auto& range) {
-    C counts;
+  const auto trace_some = [&](const tbb::blocked_range<std::size_t>& range, Counts counts) {
     for (std::size_t i = trace_in_lanes<query, M, Stored, Structure, C>(scene, structure, rays, results,
                                                                         progress, range.begin(), range.end());
          i != range.end(); ++i) {
@@ -75,9 +73,12 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
       if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
       to_list(ray.skipped, rays.format.origin, results, i, 1);
     }
-    add(totals.local(), counts);
-  });
-  totals.combine_each([&](const Counts& part) { report.counts += part; });
+    return counts;
+  };
+  const tbb::blocked_range<std::size_t> all(0, rays.count, rays_per_task);
+  report.counts = all.is_divisible() ? tbb::parallel_reduce(all, Counts{}, trace_some,
+                                                            [](Counts a, const Counts& b) { return a += b; })
+                                     : trace_some(all, {}); // without what TBB takes for a call of one ray
 }
 
 // Of hits in order: through any structure, of any kind.
