@@ -65,71 +65,190 @@ MASU_HD inline void set_expanded(Neighbour& neighbour, const MergedCell& cell) {
   neighbour.expanded[2] = cell.z;
 }
 
-// Where a cell's face can be moved to.
-struct Reach {
-  bool free;          // no neighbour is in the way
-  std::int32_t plane; // where the face goes then
+// A grid whose cells are being expanded: `cells` as this round leaves them, `neighbours` after the round
+// before. What is in a face's way stays there, since faces only grow: a bit of `blocked` for each of six.
+struct Expansion {
+  MergedGridView<double> grid;
+  MergedCell* cells;
+  Neighbour* neighbours;
+  std::uint8_t* blocked;
 };
 
-// Of the cell's face on one side along an axis, which isn't the space's. Row by row along u, then v, each
-// neighbour is found through the map; the next row begins where the first of this row's neighbours ends.
-template <int axis>
-MASU_HD Reach reach_of(const MergedGridView<double>& grid, const Neighbour* neighbours,
-                       const MergedCell& cell, std::uint32_t signature, bool upwards) {
-  constexpr int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const std::uint32_t ranges[3] = {cell.x, cell.y, cell.z};
-  Vec3i voxel{};
-  voxel.set(axis, upwards ? end_of(ranges[axis]) : first_of(ranges[axis]) - 1);
-  Reach reach{true, upwards ? 0xffff : 0};
-  std::int32_t seen = 0, next_j = 0;
-  for (std::int32_t j = first_of(ranges[v]); j < end_of(ranges[v]); j = next_j) {
-    next_j = end_of(ranges[v]);
-    for (std::int32_t i = first_of(ranges[u]); i < end_of(ranges[u]);) {
-      voxel.set(u, i);
-      voxel.set(v, j);
-      const Neighbour neighbour = fetched(neighbours + cell_number(grid, voxel));
-      if ((neighbour.signature & ~signature) != 0 || seen == max_neighbours ||
-          !lists_all(grid.references, cell.list, neighbour.list))
-        return {false, 0};
-      ++seen;
-      const std::uint32_t along = neighbour.expanded[axis];
-      reach.plane = upwards ? std::min(reach.plane, end_of(along)) : std::max(reach.plane, first_of(along));
-      i = end_of(neighbour.own[u]);
-      next_j = std::min(next_j, end_of(neighbour.own[v]));
-    }
-  }
-  return reach;
+template <unsigned axis, class Cell>
+MASU_HD auto& range_of(Cell& cell) {
+  return axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
 }
 
-// Both of each cell's faces along an axis. What is in the way stays in the way, since faces only grow: a bit
-// of `blocked` for each of a cell's six.
-template <int axis, class Executor>
-void expand_along(Executor& executor, const MergedGridView<double>& grid, const Neighbour* neighbours,
-                  std::uint64_t count, MergedCell* cells, std::uint8_t* blocked) {
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    constexpr unsigned both = 3U << (2 * axis);
-    unsigned bits = blocked[i];
-    if ((bits & both) == both) return;
-    MergedCell cell = cells[i];
-    std::uint32_t& range = axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
-    std::uint32_t expanded = range;
-    for (unsigned side = 0; side < 2; ++side) {
-      const unsigned bit = 1U << (2 * axis + static_cast<int>(side));
-      if ((bits & bit) != 0) continue;
-      const bool upwards = side == 1;
-      const bool at_end = upwards ? end_of(range) == grid.division[axis] : first_of(range) == 0;
-      Reach reach{false, 0};
-      if (!at_end) reach = reach_of<axis>(grid, neighbours, cell, neighbours[i].signature, upwards);
-      if (!reach.free) {
-        bits |= bit;
+// Expands cells towards one side.
+//
+// A face is moved by looking at its neighbours, row by row along u, then v; the next row begins where the
+// first of this row's neighbours ends. Each is found through the map: a chain of loads, and branches that
+// can't be predicted. So many faces advance side by side, each in a lane of its own, a neighbour per step,
+// and all decisions but the last are arithmetic. A device's thread has one lane: many threads wait at once.
+template <unsigned axis, unsigned side, unsigned lanes>
+class FaceLanes {
+public:
+  // For the cells from `begin` to before `end`.
+  MASU_HD FaceLanes(const Expansion& expansion, std::uint64_t begin, std::uint64_t end)
+      : s_(expansion), next_cell_(begin), end_(end) {}
+
+  MASU_HD void expand() {
+    for (unsigned l = 0; l < lanes; ++l)
+      take_face(l);
+    while (any_lives()) {
+      find_neighbours();
+      pass_neighbours();
+      end_faces();
+    }
+  }
+
+private:
+  static constexpr unsigned u = (axis + 1) % 3, v = (axis + 2) % 3;
+  static constexpr std::uint8_t side_bit = 1U << (2 * axis + side);
+  using Lane = std::int32_t[lanes];
+  using BitLane = std::uint32_t[lanes];
+
+  // The next cell's that isn't blocked. Without one a lane goes round in its last face, or in voxel 0.
+  MASU_HD void take_face(unsigned l) {
+    for (live_[l] = 0; live_[l] == 0 && next_cell_ != end_; ++next_cell_) {
+      if ((s_.blocked[next_cell_] & side_bit) != 0) continue;
+      const MergedCell& cell = s_.cells[next_cell_];
+      const std::uint32_t along = range_of<axis>(cell);
+      if (side == 0 ? first_of(along) == 0 : end_of(along) == s_.grid.division[axis]) {
+        block(next_cell_);
         continue;
       }
-      const auto at = static_cast<std::uint32_t>(reach.plane);
-      expanded = upwards ? (expanded & 0xffffU) | at << 16 : (expanded & 0xffff0000U) | at;
+      cell_[l] = next_cell_;
+      signature_[l] = s_.neighbours[next_cell_].signature;
+      plane_[l] = side == 0 ? first_of(along) - 1 : end_of(along);
+      i_[l] = u_first_[l] = first_of(range_of<u>(cell));
+      u_end_[l] = end_of(range_of<u>(cell));
+      j_[l] = first_of(range_of<v>(cell));
+      next_j_[l] = v_end_[l] = end_of(range_of<v>(cell));
+      reach_[l] = side == 0 ? 0 : 0xffff;
+      seen_[l] = 0;
+      live_[l] = ~0U;
     }
-    (axis == 0 ? cells[i].x : axis == 1 ? cells[i].y : cells[i].z) = expanded;
-    blocked[i] = static_cast<std::uint8_t>(bits);
-  });
+  }
+
+  MASU_HD bool any_lives() const {
+    std::uint32_t any = 0;
+    for (const std::uint32_t live : live_)
+      any |= live;
+    return any != 0;
+  }
+
+  MASU_HD void block(std::uint64_t cell) {
+    s_.blocked[cell] = static_cast<std::uint8_t>(s_.blocked[cell] | side_bit);
+  }
+
+  // cell_number (grid.h) for every lane.
+  MASU_HD void find_neighbours() {
+    const Lane& x = axis == 0 ? plane_ : u == 0 ? i_ : j_;
+    const Lane& y = axis == 1 ? plane_ : u == 1 ? i_ : j_;
+    const Lane& z = axis == 2 ? plane_ : u == 2 ? i_ : j_;
+    BitLane word, x_bits, y_bits, z_bits;
+    for (unsigned l = 0; l < lanes; ++l) {
+      const MapPlace top = top_place(s_.grid, {x[l], y[l], z[l]});
+      word[l] = top.word;
+      x_bits[l] = top.x;
+      y_bits[l] = top.y;
+      z_bits[l] = top.z;
+    }
+    while (!all_arrived(word)) {
+      for (unsigned l = 0; l < lanes; ++l) {
+        // Lanes that have arrived divide their box by nothing, and keep their word.
+        const auto arrived = static_cast<std::uint32_t>(static_cast<std::int32_t>(word[l]) >> 31);
+        MapPlace place{word[l] & ~arrived, x_bits[l], y_bits[l], z_bits[l]};
+        step_down(s_.grid.voxel_map, place);
+        word[l] = (word[l] & arrived) | (place.word & ~arrived);
+        x_bits[l] = place.x;
+        y_bits[l] = place.y;
+        z_bits[l] = place.z;
+      }
+    }
+    for (unsigned l = 0; l < lanes; ++l)
+      neighbour_[l] = word[l] & ~occupied_bit;
+  }
+
+  MASU_HD static bool all_arrived(const BitLane& words) {
+    std::uint32_t all = occupied_bit;
+    for (const std::uint32_t word : words)
+      all &= word;
+    return all != 0;
+  }
+
+  // Why a lane is looked at. uncertain: the signatures don't say whether the neighbour lists something else.
+  static constexpr std::uint32_t blocked = 1, moved = 2, uncertain = 4;
+
+  // Goes on along u to where the neighbour ends, or along v to where the first of this row's neighbours ends.
+  // A lane comes to an end at the face's end, at what is in the way, or after very many neighbours.
+  MASU_HD void pass_neighbours() {
+    BitLane signature;
+    Lane bound, u_own, v_own;
+    for (unsigned l = 0; l < lanes; ++l) {
+      const Neighbour neighbour = fetched(s_.neighbours + neighbour_[l]);
+      signature[l] = neighbour.signature;
+      bound[l] = side == 0 ? first_of(neighbour.expanded[axis]) : end_of(neighbour.expanded[axis]);
+      u_own[l] = end_of(neighbour.own[u]);
+      v_own[l] = end_of(neighbour.own[v]);
+    }
+    for (unsigned l = 0; l < lanes; ++l) {
+      const bool in_the_way = (signature[l] & ~signature_[l]) != 0 || seen_[l] == max_neighbours;
+      ++seen_[l];
+      reach_[l] = side == 0 ? std::max(reach_[l], bound[l]) : std::min(reach_[l], bound[l]);
+      const std::int32_t next_j = std::min(next_j_[l], v_own[l]);
+      const bool row_ends = u_own[l] >= u_end_[l], face_ends = row_ends && next_j >= v_end_[l];
+      i_[l] = row_ends ? u_first_[l] : u_own[l];
+      j_[l] = row_ends && !face_ends ? next_j : j_[l];
+      next_j_[l] = row_ends ? v_end_[l] : next_j;
+      ended_[l] = live_[l] & ((in_the_way ? blocked : 0U) | (face_ends ? moved : 0U) |
+                              (signature[l] != 0 ? uncertain : 0U));
+    }
+  }
+
+  MASU_HD void end_faces() {
+    BitLane ended;
+    unsigned count = 0;
+    for (unsigned l = 0; l < lanes; ++l) {
+      ended[count] = l;
+      count += ended_[l] != 0 ? 1 : 0;
+    }
+    for (unsigned i = 0; i < count; ++i)
+      if (ends(ended[i])) take_face(ended[i]);
+  }
+
+  MASU_HD bool ends(unsigned l) {
+    MergedCell& cell = s_.cells[cell_[l]];
+    if ((ended_[l] & blocked) != 0 ||
+        ((ended_[l] & uncertain) != 0 &&
+         !lists_all(s_.grid.references, cell.list, s_.neighbours[neighbour_[l]].list))) {
+      block(cell_[l]);
+      return true;
+    }
+    if ((ended_[l] & moved) == 0) return false;
+    std::uint32_t& along = range_of<axis>(cell);
+    const auto reach = static_cast<std::uint32_t>(reach_[l]);
+    along = side == 0 ? (along & 0xffff0000U) | reach : (along & 0xffffU) | reach << 16;
+    return true;
+  }
+
+  const Expansion& s_;
+  std::uint64_t next_cell_, end_;
+  BitLane live_{}; // all bits where the lane has a face
+  BitLane ended_{};
+  std::uint64_t cell_[lanes]{};
+  BitLane signature_{}, neighbour_{};
+  // The voxel looked at: plane_ along the axis, i_ along u, j_ along v. It runs over the face, which is from
+  // u_first_ to u_end_ and up to v_end_; the next row is at next_j_.
+  Lane plane_{}, i_{}, j_{}, next_j_{}, u_first_{}, u_end_{}, v_end_{};
+  Lane reach_{}, seen_{};
+};
+
+template <unsigned axis, unsigned lanes>
+MASU_HD void expand_along(const Expansion& expansion, std::uint64_t begin, std::uint64_t end) {
+  FaceLanes<axis, 0, lanes>(expansion, begin, end).expand();
+  FaceLanes<axis, 1, lanes>(expansion, begin, end).expand();
 }
 
 // `grid` is a view of what `cells` are the cells of, in the executor's memory.
@@ -139,23 +258,18 @@ void expand_cells(Executor& executor, const MergedGridView<double>& grid, std::u
   if (rounds == 0) return;
   auto neighbours = executor.template array<Neighbour>(count);
   auto blocked = executor.template zeros<std::uint8_t>(count);
-  Neighbour* const neighbour = neighbours.data();
+  const Expansion s{grid, cells, neighbours.data(), blocked.data()};
   executor.for_each(
-      count, [=] MASU_PASS(std::uint64_t i) { neighbour[i] = as_neighbour(cells[i], grid.references); });
-  for (int pass = 0; pass < rounds; ++pass) {
-    expand_along<0>(executor, grid, neighbour, count, cells, blocked.data());
-    expand_along<1>(executor, grid, neighbour, count, cells, blocked.data());
-    expand_along<2>(executor, grid, neighbour, count, cells, blocked.data());
-    if (pass + 1 == rounds) break;
-    executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { set_expanded(neighbour[i], cells[i]); });
+      count, [=] MASU_PASS(std::uint64_t i) { s.neighbours[i] = as_neighbour(cells[i], grid.references); });
+  for (int round = 0; round < rounds; ++round) {
+    executor.for_each_part(count, [=] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
+      expand_along<0, Executor::lanes>(s, begin, end);
+      expand_along<1, Executor::lanes>(s, begin, end);
+      expand_along<2, Executor::lanes>(s, begin, end);
+    });
+    if (round + 1 == rounds) break;
+    executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { set_expanded(s.neighbours[i], cells[i]); });
   }
 }
-
-// The same cells on the host's cores, many faces side by side (expand.cpp): two fifths of the passes' time.
-template <bool parallel>
-class HostExecutor;
-using TbbExecutor = HostExecutor<true>;
-void expand_cells(TbbExecutor& executor, const MergedGridView<double>& grid, std::uint64_t count,
-                  MergedCell* cells, int rounds);
 
 } // namespace masu

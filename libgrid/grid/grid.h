@@ -142,25 +142,39 @@ MASU_HD inline std::uint32_t index_in_division(const Vec3i& at, const Vec3i& log
   return ((low(at.z, log2.z) << log2.y | low(at.y, log2.y)) << log2.x) | low(at.x, log2.x);
 }
 
+// On a voxel's way down a merged grid's map: the word it has come to, and along each axis the bits of its
+// place in the cube that are still to be used, from the highest on.
+struct MapPlace {
+  std::uint32_t word, x, y, z;
+};
+
+template <class Real>
+MASU_HD inline MapPlace top_place(const MergedGridView<Real>& grid, const Vec3i& voxel) {
+  const Vec3i top = shifted(voxel, grid.nested_log2);
+  return {grid.voxel_map[static_cast<std::uint32_t>((top.z * grid.top.y + top.y) * grid.top.x + top.x)],
+          moved_to_top(voxel.x, grid.nested_log2), moved_to_top(voxel.y, grid.nested_log2),
+          moved_to_top(voxel.z, grid.nested_log2)};
+}
+
+// To the next word, of a box that is divided.
+MASU_HD inline void step_down(const std::uint32_t* voxel_map, MapPlace& place) {
+  const MapDivision division = map_division(place.word);
+  const Vec3i& log2 = division.log2; // index_in_division(), bit by bit
+  const std::uint32_t index =
+      appended(appended(appended(0, place.z, log2.z), place.y, log2.y), place.x, log2.x);
+  place.x <<= log2.x;
+  place.y <<= log2.y;
+  place.z <<= log2.z;
+  place.word = voxel_map[division.offset + index];
+}
+
 // The number of the cell that a voxel of a merged grid leads to.
 template <class Real>
 MASU_HD inline std::uint32_t cell_number(const MergedGridView<Real>& grid, const Vec3i& voxel) {
-  const Vec3i top = shifted(voxel, grid.nested_log2);
-  std::uint32_t word =
-      grid.voxel_map[static_cast<std::uint32_t>((top.z * grid.top.y + top.y) * grid.top.x + top.x)];
-  // The bits of the voxel's position in the cube that are still to be used, from the highest on.
-  std::uint32_t x = moved_to_top(voxel.x, grid.nested_log2), y = moved_to_top(voxel.y, grid.nested_log2),
-                z = moved_to_top(voxel.z, grid.nested_log2);
-  while ((word & occupied_bit) == 0) {
-    const MapDivision division = map_division(word);
-    const Vec3i& log2 = division.log2; // index_in_division(), bit by bit
-    const std::uint32_t index = appended(appended(appended(0, z, log2.z), y, log2.y), x, log2.x);
-    x <<= log2.x;
-    y <<= log2.y;
-    z <<= log2.z;
-    word = grid.voxel_map[division.offset + index];
-  }
-  return word & ~occupied_bit;
+  MapPlace place = top_place(grid, voxel);
+  while ((place.word & occupied_bit) == 0)
+    step_down(grid.voxel_map, place);
+  return place.word & ~occupied_bit;
 }
 
 // A cell as a walk through one of its voxels needs it.

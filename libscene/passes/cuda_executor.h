@@ -261,6 +261,7 @@ struct Sum {
 class CudaExecutor {
 public:
   static constexpr bool has_warps = true;
+  static constexpr unsigned lanes = 1;
   using Memory = CudaExecutor;
   template <class T>
   using Array = DeviceArray<T>;
@@ -285,6 +286,10 @@ public:
   void for_each(std::uint64_t count, const Act& act) const {
     check_progress(progress_);
     for_each_on_device(count, nullptr, act);
+  }
+  template <class Act>
+  void for_each_part(std::uint64_t count, const Act& act) const {
+    for_each(count, [=] MASU_PASS(std::uint64_t i) { act(i, i + 1); });
   }
   template <class Work>
   void for_each_by_group(std::uint64_t count, const Work& work) const {

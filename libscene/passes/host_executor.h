@@ -25,6 +25,7 @@ public:
   ProgressMonitor* progress = nullptr; // of the build that the passes are of; may be null
 
   static constexpr bool has_warps = false;
+  static constexpr unsigned lanes = 32;
   using Memory = HostMemory;
   template <class T>
   using Array = HostArray<T>;
@@ -40,6 +41,10 @@ public:
   template <class Act>
   void for_each(std::uint64_t count, const Act& act) const {
     for_each_range(count, 512, act);
+  }
+  template <class Act>
+  void for_each_part(std::uint64_t count, const Act& act) const {
+    in_parts(count, 4096, act);
   }
   template <class Work>
   void for_each_by_group(std::uint64_t count, const Work& work) const {
@@ -230,11 +235,18 @@ private:
 
   template <class Act>
   void for_each_range(std::uint64_t count, std::uint64_t grain, const Act& act) const {
+    in_parts(count, grain, [&](std::uint64_t begin, std::uint64_t end) {
+      for (; begin != end; ++begin)
+        act(begin);
+    });
+  }
+
+  template <class Act>
+  void in_parts(std::uint64_t count, std::uint64_t grain, const Act& act) const {
     const auto over = [&](std::uint64_t begin, std::uint64_t end) {
-      while (begin != end) {
+      for (; begin < end; begin += grain) {
         check_progress(progress);
-        for (const std::uint64_t next = std::min(end, begin + grain); begin != next; ++begin)
-          act(begin);
+        act(begin, std::min(end, begin + grain));
       }
     };
     if constexpr (parallel) {
