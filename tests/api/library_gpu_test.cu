@@ -710,13 +710,17 @@ TEST_F(LibraryOnGpu, UsesNoOtherGpuThanTheTracers) {
   int count = 0;
   ASSERT_DONE(masu_gpu_count(&count));
   if (count < 2) GTEST_SKIP() << "one GPU: there is no other";
-  std::size_t before = 0, after = 0, all = 0;
   ASSERT_CUDA(cudaSetDevice(0));
-  ASSERT_CUDA(cudaMemGetInfo(&before, &all));
-  const masu::Tracer tracer = opened({1});
-  found_by(tracer, rays(3'000'000));
-  ASSERT_CUDA(cudaMemGetInfo(&after, &all));
-  EXPECT_EQ(before, after);
+  bool is_the_same = false;
+  for (int attempt = 0; attempt < 30 && !is_the_same; ++attempt) { // other processes may use it meanwhile
+    std::size_t before = 0, after = 0, all = 0;
+    ASSERT_CUDA(cudaMemGetInfo(&before, &all));
+    const masu::Tracer tracer = opened({1});
+    found_by(tracer, rays(3'000'000));
+    ASSERT_CUDA(cudaMemGetInfo(&after, &all));
+    is_the_same = before == after;
+  }
+  EXPECT_TRUE(is_the_same);
   int current = -1;
   ASSERT_CUDA(cudaGetDevice(&current));
   EXPECT_EQ(current, 0);
