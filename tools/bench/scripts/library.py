@@ -154,7 +154,7 @@ class Embree:
 class Masu:
     def __init__(self, vertices, faces, device, quality=None):
         self.device, scene = device, masu.Scene(vertices, faces)
-        grid = scene.build(structure="bvh", quality=quality) if quality else None
+        grid = scene.build(structure="bvh", quality=quality, device=device) if quality else None
         self.tracer = masu.Tracer(scene, grid, device)
 
     def packed(self, rays):
