@@ -11,9 +11,12 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t part_bytes = std::size_t{1} << 20; // of a staging buffer, or copied by a thread
-constexpr int copy_threads = 4;                          // about enough to saturate the bus
-constexpr std::size_t min_pinned_bytes = 8 * part_bytes; // less isn't worth allocating page-locked memory
+// Of a staging buffer, or copied by a thread: to lock a megabyte of pages takes half a millisecond, and
+// smaller parts take longer to queue than to copy.
+constexpr std::size_t part_bytes = std::size_t{1} << 18;
+constexpr int copy_threads = 4; // about enough to saturate the bus
+constexpr std::size_t min_pinned_bytes = std::size_t{8}
+                                         << 20; // less isn't worth allocating page-locked memory
 
 using Fill = SectionReader::Fill;
 
@@ -153,7 +156,7 @@ void Transfer::run() {
   };
   const DeviceScope device(device_);
   check(cudaDeviceSynchronize());
-  if (total < min_pinned_bytes) {
+  if (total < min_pinned_bytes && staging_ == nullptr) {
     PlainBuffer buffer(pool_);
     for (const Piece& piece : pieces)
       make(piece, buffer);

@@ -118,9 +118,9 @@ struct HostList {
 
 void trace_in_place(const HostList& list, HostRayBuffers::Piece& buffers, QueryReport& report) {
   const Piece all{0, list.rays.count};
-  const std::size_t bytes = all.count * list.ray_bytes;
-  std::uint8_t* const rays = buffers.rays.of(bytes);
-  std::uint8_t* const found = buffers.results.of(list.bytes_of_results(all));
+  const std::size_t bytes = all.count * list.ray_bytes, results_at = (bytes + 15) / 16 * 16;
+  std::uint8_t* const rays = buffers.rays.of(results_at + list.bytes_of_results(all));
+  std::uint8_t* const found = rays + results_at;
   copy_in_parallel(rays, list.rays_of(all), bytes);
   check(cudaEventRecord(buffers.begun, buffers.stream));
   report.kernel = list.launch(all, rays, found, buffers.stream);
@@ -181,7 +181,7 @@ void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport
 
   // The last turns have no piece to begin.
   for (std::size_t turn = 0, last_turns = 0; last_turns < pieces_in_flight; ++turn) {
-    HostRayBuffers::Piece& buffers = borrowed.pieces[turn % pieces_in_flight];
+    HostRayBuffers::Piece& buffers = borrowed.piece(turn);
     Piece& piece = pieces[turn % pieces_in_flight];
     const Piece last = piece;
     if (list.request.progress) list.request.progress(share_of_pieces(next_piece, rays, list.request));
@@ -205,14 +205,11 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
   const auto borrowed = files.memory->buffers.borrow();
   struct Drain { // after an error something may still be copied to them
     HostRayBuffers& buffers;
-    ~Drain() {
-      for (const auto& piece : buffers.pieces)
-        static_cast<void>(cudaStreamSynchronize(piece.stream));
-    }
+    ~Drain() { buffers.drain(); }
   } const drain{*borrowed};
   if (rays.count <= std::min(rays_in_place, rays_per_piece(request))) {
     if (request.progress) request.progress(0);
-    trace_in_place(list, borrowed->pieces[0], report);
+    trace_in_place(list, borrowed->piece(0), report);
   } else {
     trace_in_pieces(list, *borrowed, report, next_piece);
   }

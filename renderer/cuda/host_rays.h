@@ -5,6 +5,7 @@
 #include "libscene/cuda/device_memory.h"
 #include "libscene/cuda/near_device.h"
 
+#include <memory>
 #include <optional>
 
 namespace masu {
@@ -38,13 +39,26 @@ struct FrameBuffers {
 };
 
 // Of one list of rays.
-struct HostRayBuffers {
+class HostRayBuffers {
+public:
   struct Piece {
     Stream stream;
     Event begun, uploaded, traced, downloaded;
     PinnedRoom rays, results; // where the caller's memory isn't page-locked
   };
-  Piece pieces[pieces_in_flight];
+  // Made when it is first asked for: short lists need one.
+  Piece& piece(std::size_t turn) {
+    std::unique_ptr<Piece>& own = pieces_[turn % pieces_in_flight];
+    if (own == nullptr) own = std::make_unique<Piece>();
+    return *own;
+  }
+  void drain() const {
+    for (const auto& own : pieces_)
+      if (own != nullptr) static_cast<void>(cudaStreamSynchronize(own->stream));
+  }
+
+private:
+  std::unique_ptr<Piece> pieces_[pieces_in_flight];
 };
 
 } // namespace masu
