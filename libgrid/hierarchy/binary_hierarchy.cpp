@@ -1,11 +1,8 @@
 #include "libgrid/hierarchy/binary_hierarchy.h"
 
-#include "libgrid/hierarchy/fragment_split.h"
+#include "libgrid/hierarchy/clipped_lanes.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/split_lanes.h"
-#ifdef MASU_HOST_AVX2
-#include "libgrid/grid/overlap/clipped_lanes.h"
-#endif
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
@@ -100,19 +97,6 @@ struct ObjectSplit {
   LaneBox left, right;
 };
 
-// Sides in lanes.
-struct LaneSides {
-  LaneBox below, above;
-
-  LaneSides(const LaneBox& below_, const LaneBox& above_) : below(below_), above(above_) {}
-  explicit LaneSides(const Sides& sides) : below(in_lanes(sides.below)), above(in_lanes(sides.above)) {}
-
-private:
-  static LaneBox in_lanes(const Boxf& box) {
-    return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
-  }
-};
-
 // Cuts what is left of a fragment across an axis where a bin ends, and adds to the bin what lies in it.
 void cut_off(const LaneSides& primitive, int axis, LaneBox& rest, AxisBin& bin) {
   const LaneBox below = common(primitive.below, rest);
@@ -122,60 +106,14 @@ void cut_off(const LaneSides& primitive, int axis, LaneBox& rest, AxisBin& bin) 
 
 // The same for each of the bins from `first` to before `last`, across each axis.
 template <class Primitive>
-void cut_off_all(const Primitive& primitive, const Binning& binning, WholeLanes4 first, WholeLanes4 last,
-                 double margin, LaneBox (&rest)[3], Bins& bins) {
-  for (int axis = 0; axis < 3; ++axis)
-    for (int bin = first[axis]; bin < last[axis]; ++bin)
-      cut_off(LaneSides(sides_with_margin(primitive, axis, binning.plane(axis, bin), margin)), axis,
-              rest[axis], bins.of[bin]);
-}
-
-#ifdef MASU_HOST_AVX2
-// The boxes of four lanes, with the margin; of an empty one a box that holds nothing.
-void boxes_with_margin(const Box<Doubles4>& bounds, double margin, LaneBox (&boxes)[4]) {
-  const auto transpose = [](__m128 x, __m128 y, __m128 z, const auto& put) {
-    __m128 w = _mm_setzero_ps();
-    _MM_TRANSPOSE4_PS(x, y, z, w);
-    put(0, x);
-    put(1, y);
-    put(2, z);
-    put(3, w);
-  };
-  transpose(rounded_down(bounds.min.x - margin), rounded_down(bounds.min.y - margin),
-            rounded_down(bounds.min.z - margin), [&](int i, Lanes4 low) { boxes[i].low = low; });
-  transpose(rounded_up(bounds.max.x + margin), rounded_up(bounds.max.y + margin),
-            rounded_up(bounds.max.z + margin), [&](int i, Lanes4 high) { boxes[i].high = high; });
-}
-
-// By four planes at once.
-__attribute__((flatten)) void cut_off_all(const Triangle<double>& triangle, const Binning& binning,
+__attribute__((flatten)) void cut_off_all(const Primitive& primitive, const Binning& binning,
                                           WholeLanes4 first, WholeLanes4 last, double margin,
                                           LaneBox (&rest)[3], Bins& bins) {
-  int axes[4], ends[4], count = 0;
-  double planes[4];
-  const auto cut = [&] {
-    const Doubles4 at = _mm256_loadu_pd(planes);
-    const ClippedBoundsOf<Doubles4> sides = sides_of(triangle, LaneAxes(axes), at, at);
-    LaneBox below[4], above[4];
-    boxes_with_margin(sides.below, margin, below);
-    boxes_with_margin(sides.above, margin, above);
-    for (int i = 0; i < count; ++i)
-      cut_off({below[i], above[i]}, axes[i], rest[axes[i]], bins.of[ends[i]]);
-    count = 0;
-  };
-  std::fill_n(axes, 4, 0);
-  std::fill_n(planes, 4, 0.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int bin = first[axis]; bin < last[axis]; ++bin) {
-      axes[count] = axis;
-      ends[count] = bin;
-      planes[count++] = binning.plane(axis, bin);
-      if (count == 4) cut();
-    }
-  }
-  if (count > 0) cut();
+  const ClippedLanes<Primitive> clipped(primitive);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int bin = first[axis]; bin < last[axis]; ++bin)
+      cut_off(clipped.sides(axis, binning.plane(axis, bin), margin), axis, rest[axis], bins.of[bin]);
 }
-#endif
 
 template <class Stored>
 class BinaryBuilder {
@@ -410,7 +348,7 @@ private:
         continue;
       HierarchyFragment below = fragment, above = fragment;
       with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
-        const LaneSides sides(sides_with_margin(primitive, best.axis, plane, margin_));
+        const LaneSides sides = ClippedLanes(primitive).sides(best.axis, plane, margin_);
         below.box = common(sides.below, fragment.box);
         above.box = common(sides.above, fragment.box);
       });
