@@ -1,11 +1,8 @@
 #include "libgrid/hierarchy/binary_hierarchy.h"
 
-#include "libgrid/hierarchy/fragment_split.h"
+#include "libgrid/hierarchy/clipped_lanes.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/split_lanes.h"
-#ifdef MASU_HOST_AVX2
-#include "libgrid/grid/overlap/clipped_lanes.h"
-#endif
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
@@ -26,25 +23,35 @@ LaneBox common(const LaneBox& a, const LaneBox& b) {
   return {larger(a.low, b.low), smaller(a.high, b.high)};
 }
 
+Boxf boxf(const LaneBox& box) {
+  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+}
+
 bool same(const Boxf& a, const Boxf& b) {
   return a.min == b.min && a.max == b.max;
 }
 
+// Fragments are counted 1 where they are whole triangles, else 0.
+bool is_whole_triangle(const BinaryNode& fragment) {
+  return fragment.count != 0;
+}
+
 // Fragments that are in a node, and places in memory after them. `room`: how many more they may become.
 struct FragmentRange {
-  HierarchyFragment* first;
+  BinaryNode* first;
   std::uint32_t count, places, room;
 
-  HierarchyFragment* begin() const { return first; }
-  HierarchyFragment* end() const { return first + count; }
+  BinaryNode* begin() const { return first; }
+  BinaryNode* end() const { return first + count; }
 };
 
 struct Extent {
   LaneBox box, centres;
 
-  void add(const HierarchyFragment& fragment) {
-    box.join(fragment.box);
-    const Lanes4 centre = fragment.centre();
+  void add(const BinaryNode& fragment) {
+    const LaneBox own = box_of(fragment);
+    const Lanes4 centre = own.twice_the_centre();
+    box.join(own);
     centres.join({centre, centre});
   }
   void join(const Extent& other) {
@@ -69,48 +76,24 @@ struct Bins {
   }
 };
 
-// FragmentBins along each axis.
 struct Binning {
-  Lanes4 low{}, unit{}, bins_per_unit{};
-  int bins;
+  FragmentBins along[3];
+  BinLanes bins_of;
+  Lanes4 low, unit;
 
-  Binning(const LaneBox& box, int bins_) : bins(bins_) {
-    low[3] = 1; // far from numbers so small that arithmetic is slow
-    for (int axis = 0; axis < 3; ++axis) {
-      const FragmentBins along(box.low[axis], box.high[axis], bins);
-      low[axis] = along.low;
-      unit[axis] = along.unit;
-      bins_per_unit[axis] = along.per_unit;
-    }
-  }
-  WholeLanes4 bins_of(Lanes4 place) const {
-    WholeLanes4 in = __builtin_convertvector((place - low) * bins_per_unit, WholeLanes4);
-    in = in < 0 ? WholeLanes4{} : in;
-    return in >= bins ? WholeLanes4{} + (bins - 1) : in;
-  }
-  // That ends a bin.
-  float plane(int axis, int bin) const { return low[axis] + unit[axis] * static_cast<float>(bin + 1); }
+  Binning(const LaneBox& box, int bins)
+      : along{{box.low[0], box.high[0], bins},
+              {box.low[1], box.high[1], bins},
+              {box.low[2], box.high[2], bins}},
+        bins_of(along), low(box.low), unit{along[0].unit, along[1].unit, along[2].unit} {}
+  int count() const { return along[0].count; }
+  // That end bins.
   Lanes4 planes(WholeLanes4 bin) const { return low + unit * __builtin_convertvector(bin + 1, Lanes4); }
 };
 
 struct ObjectSplit {
-  float cost = INFINITY;
-  int axis = -1; // none: everything is in one place
-  int bin = 0;   // the last one that goes left
+  AxisSplit at; // numbered by the last bin that goes left
   LaneBox left, right;
-};
-
-// Sides in lanes.
-struct LaneSides {
-  LaneBox below, above;
-
-  LaneSides(const LaneBox& below_, const LaneBox& above_) : below(below_), above(above_) {}
-  explicit LaneSides(const Sides& sides) : below(in_lanes(sides.below)), above(in_lanes(sides.above)) {}
-
-private:
-  static LaneBox in_lanes(const Boxf& box) {
-    return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
-  }
 };
 
 // Cuts what is left of a fragment across an axis where a bin ends, and adds to the bin what lies in it.
@@ -122,60 +105,14 @@ void cut_off(const LaneSides& primitive, int axis, LaneBox& rest, AxisBin& bin) 
 
 // The same for each of the bins from `first` to before `last`, across each axis.
 template <class Primitive>
-void cut_off_all(const Primitive& primitive, const Binning& binning, WholeLanes4 first, WholeLanes4 last,
-                 double margin, LaneBox (&rest)[3], Bins& bins) {
-  for (int axis = 0; axis < 3; ++axis)
-    for (int bin = first[axis]; bin < last[axis]; ++bin)
-      cut_off(LaneSides(sides_with_margin(primitive, axis, binning.plane(axis, bin), margin)), axis,
-              rest[axis], bins.of[bin]);
-}
-
-#ifdef MASU_HOST_AVX2
-// The boxes of four lanes, with the margin; of an empty one a box that holds nothing.
-void boxes_with_margin(const Box<Doubles4>& bounds, double margin, LaneBox (&boxes)[4]) {
-  const auto transpose = [](__m128 x, __m128 y, __m128 z, const auto& put) {
-    __m128 w = _mm_setzero_ps();
-    _MM_TRANSPOSE4_PS(x, y, z, w);
-    put(0, x);
-    put(1, y);
-    put(2, z);
-    put(3, w);
-  };
-  transpose(rounded_down(bounds.min.x - margin), rounded_down(bounds.min.y - margin),
-            rounded_down(bounds.min.z - margin), [&](int i, Lanes4 low) { boxes[i].low = low; });
-  transpose(rounded_up(bounds.max.x + margin), rounded_up(bounds.max.y + margin),
-            rounded_up(bounds.max.z + margin), [&](int i, Lanes4 high) { boxes[i].high = high; });
-}
-
-// By four planes at once.
-__attribute__((flatten)) void cut_off_all(const Triangle<double>& triangle, const Binning& binning,
+__attribute__((flatten)) void cut_off_all(const Primitive& primitive, const Binning& binning,
                                           WholeLanes4 first, WholeLanes4 last, double margin,
                                           LaneBox (&rest)[3], Bins& bins) {
-  int axes[4], ends[4], count = 0;
-  double planes[4];
-  const auto cut = [&] {
-    const Doubles4 at = _mm256_loadu_pd(planes);
-    const ClippedBoundsOf<Doubles4> sides = sides_of(triangle, LaneAxes(axes), at, at);
-    LaneBox below[4], above[4];
-    boxes_with_margin(sides.below, margin, below);
-    boxes_with_margin(sides.above, margin, above);
-    for (int i = 0; i < count; ++i)
-      cut_off({below[i], above[i]}, axes[i], rest[axes[i]], bins.of[ends[i]]);
-    count = 0;
-  };
-  std::fill_n(axes, 4, 0);
-  std::fill_n(planes, 4, 0.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int bin = first[axis]; bin < last[axis]; ++bin) {
-      axes[count] = axis;
-      ends[count] = bin;
-      planes[count++] = binning.plane(axis, bin);
-      if (count == 4) cut();
-    }
-  }
-  if (count > 0) cut();
+  const ClippedLanes<Primitive> clipped(primitive);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int bin = first[axis]; bin < last[axis]; ++bin)
+      cut_off(clipped.sides(axis, binning.along[axis].plane(bin), margin), axis, rest[axis], bins.of[bin]);
 }
-#endif
 
 template <class Stored>
 class BinaryBuilder {
@@ -188,11 +125,9 @@ public:
         choices_(nodes_.size()) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 4096), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        const BinaryNode& leaf = leaves[i];
-        fragments_[i].box.low = Lanes4{leaf.min.x, leaf.min.y, leaf.min.z, float_of(leaf.index)};
-        const bool is_whole = leaf.index < scene_.triangle_count &&
-                              same(leaf.box(), box_of_primitive(scene_, leaf.index, margin_));
-        fragments_[i].box.high = Lanes4{leaf.max.x, leaf.max.y, leaf.max.z, is_whole ? 1.0F : 0.0F};
+        BinaryNode& fragment = fragments_[i] = leaves[i];
+        fragment.count = fragment.index < scene_.triangle_count &&
+                         same(fragment.box(), box_of_primitive(scene_, fragment.index, margin_));
       }
     });
   }
@@ -218,7 +153,7 @@ private:
   // Adds to `sum` what add(sum, fragment) makes of each, in parallel for many; joins in any order.
   template <class Sum, class Add>
   Sum summed(const FragmentRange& range, const Sum& none, const Add& add) const {
-    const auto added = [&](const HierarchyFragment* begin, const HierarchyFragment* end, Sum& sum) {
+    const auto added = [&](const BinaryNode* begin, const BinaryNode* end, Sum& sum) {
       for (std::uint32_t i = 1; begin != end; ++begin, ++i) {
         if (i % fragments_per_check == 0) check_progress(progress_);
         add(sum, *begin);
@@ -230,7 +165,7 @@ private:
       return sum;
     }
     return tbb::parallel_reduce(
-        tbb::blocked_range<const HierarchyFragment*>(range.begin(), range.end(), fragments_per_task), none,
+        tbb::blocked_range<const BinaryNode*>(range.begin(), range.end(), fragments_per_task), none,
         [&](const auto& part, Sum so_far) {
           added(part.begin(), part.end(), so_far);
           return so_far;
@@ -242,8 +177,7 @@ private:
   }
 
   Extent extent_of(const FragmentRange& range) const {
-    return summed(range, Extent{},
-                  [](Extent& extent, const HierarchyFragment& fragment) { extent.add(fragment); });
+    return summed(range, Extent{}, [](Extent& extent, const BinaryNode& fragment) { extent.add(fragment); });
   }
 
   // The cheapest split by centres.
@@ -255,23 +189,24 @@ private:
     LaneBox boxes[few_leaves];
     WholeLanes4 bins[few_leaves];
     for (std::uint32_t i = 0; i < range.count; ++i) {
-      boxes[i] = range.first[i].box;
-      bins[i] = binning.bins_of(range.first[i].centre());
+      boxes[i] = box_of(range.first[i]);
+      bins[i] = binning.bins_of(boxes[i].twice_the_centre());
     }
     const SortedFew sorted(boxes, bins, range.count);
     const AxisSplit cheapest = sorted.cheapest_split();
     if (cheapest.axis < 0) return {};
-    ObjectSplit split{cheapest.cost, cheapest.axis, sorted.key(cheapest), {}, {}};
+    ObjectSplit split{{cheapest.cost, cheapest.axis, sorted.key(cheapest)}, {}, {}};
     for (std::uint32_t i = 0; i < range.count; ++i)
-      (bins[i][split.axis] <= split.bin ? split.left : split.right).join(boxes[i]);
+      (bins[i][split.at.axis] <= split.at.number ? split.left : split.right).join(boxes[i]);
     return split;
   }
   ObjectSplit object_split_of_many(const FragmentRange& range, const Binning& binning) const {
-    Bins bins = summed(range, Bins(binning.bins), [&](Bins& sum, const HierarchyFragment& fragment) {
-      const WholeLanes4 in = binning.bins_of(fragment.centre());
+    Bins bins = summed(range, Bins(binning.count()), [&](Bins& sum, const BinaryNode& fragment) {
+      const LaneBox box = box_of(fragment);
+      const WholeLanes4 in = binning.bins_of(box.twice_the_centre());
       for (int axis = 0; axis < 3; ++axis) {
         AxisBin& bin = sum.of[in[axis]];
-        bin.join(axis, fragment.box);
+        bin.join(axis, box);
         ++bin.begin[axis];
       }
     });
@@ -279,9 +214,9 @@ private:
       std::copy_n(bins.of[i].begin, 4, bins.of[i].end);
     const AxisSplit cheapest = cheapest_split(bins.of, bins.count);
     if (cheapest.axis < 0) return {};
-    ObjectSplit split{cheapest.cost, cheapest.axis, cheapest.number, {}, {}};
+    ObjectSplit split{cheapest, {}, {}};
     for (int i = 0; i < bins.count; ++i)
-      (i <= split.bin ? split.left : split.right).join(bins.of[i].box(split.axis));
+      (i <= cheapest.number ? split.left : split.right).join(bins.of[i].box(cheapest.axis));
     return split;
   }
 
@@ -300,9 +235,9 @@ private:
 
   // Along which axes (-1) there may be a split by planes that costs less than this.
   WholeLanes4 axes_worth_splitting(const FragmentRange& range, const Binning& binning, float cost) const {
-    const SpatialBounds bounds = summed(
-        range, SpatialBounds(binning.bins), [&](SpatialBounds& sum, const HierarchyFragment& fragment) {
-          const LaneBox& box = fragment.box;
+    const SpatialBounds bounds =
+        summed(range, SpatialBounds(binning.count()), [&](SpatialBounds& sum, const BinaryNode& fragment) {
+          const LaneBox box = box_of(fragment);
           const WholeLanes4 first = binning.bins_of(box.low), last = binning.bins_of(box.high);
           // Whether it certainly has something on either side of each plane.
           const WholeLanes4 crosses =
@@ -312,7 +247,7 @@ private:
             ++sum.left.of[first[axis]].begin[axis];
             ++sum.right.of[last[axis]].end[axis];
             if (first[axis] != last[axis]) {
-              if (!fragment.is_whole_triangle()) continue;
+              if (!is_whole_triangle(fragment)) continue;
               sum.left.of[first[axis]].end[axis] -= crosses[axis];
               left.end[axis] += crosses[axis];
             }
@@ -323,16 +258,16 @@ private:
     BoxLanes rights[bins_in_space]; // of all from a bin on
     WholeLanes4 right_counts[bins_in_space];
     const auto from = [&](int bin) -> const AxisBin& { return bounds.right.of[bin]; };
-    for (int bin = binning.bins - 1; bin > 0; --bin) {
+    for (int bin = binning.count() - 1; bin > 0; --bin) {
       rights[bin] = from(bin).boxes();
       right_counts[bin] = AxisBin::lanes_of(from(bin).end);
-      if (bin + 1 == binning.bins) continue;
+      if (bin + 1 == binning.count()) continue;
       rights[bin].join(rights[bin + 1]);
       right_counts[bin] += right_counts[bin + 1];
     }
     BoxLanes left = bounds.left.of[0].boxes();
     WholeLanes4 left_count{}, crossing{}, is_cheaper{};
-    for (int bin = 0; bin + 1 < binning.bins; ++bin) {
+    for (int bin = 0; bin + 1 < binning.count(); ++bin) {
       left.join(bounds.left.of[bin].boxes());
       left_count += AxisBin::lanes_of(bounds.left.of[bin].begin);
       crossing += AxisBin::lanes_of(bounds.left.of[bin].end);
@@ -351,22 +286,24 @@ private:
     return is_cheaper;
   }
 
-  // The cheapest split by planes, at which fragments are divided, along some axes.
-  AxisSplit spatial_split(const FragmentRange& range, const Binning& binning, WholeLanes4 axes) const {
-    const Bins bins = summed(range, Bins(binning.bins), [&](Bins& sum, const HierarchyFragment& fragment) {
-      const WholeLanes4 first = binning.bins_of(fragment.box.low) & axes,
-                        last = binning.bins_of(fragment.box.high) & axes;
+  // The cheapest split by planes, at which fragments are divided, if it may cost less than this.
+  AxisSplit spatial_split(const FragmentRange& range, const Binning& binning, float cost) const {
+    const WholeLanes4 axes = axes_worth_splitting(range, binning, cost);
+    if (axes[0] == 0 && axes[1] == 0 && axes[2] == 0) return {};
+    const Bins bins = summed(range, Bins(binning.count()), [&](Bins& sum, const BinaryNode& fragment) {
+      const LaneBox box = box_of(fragment);
+      const WholeLanes4 first = binning.bins_of(box.low) & axes, last = binning.bins_of(box.high) & axes;
       bool is_in_one = true;
       for (int axis = 0; axis < 3; ++axis) {
         if (axes[axis] == 0) continue;
         ++sum.of[first[axis]].begin[axis];
         ++sum.of[last[axis]].end[axis];
-        if (first[axis] == last[axis]) sum.of[first[axis]].join(axis, fragment.box);
+        if (first[axis] == last[axis]) sum.of[first[axis]].join(axis, box);
         is_in_one = is_in_one && first[axis] == last[axis];
       }
       if (is_in_one) return;
-      LaneBox rest[3] = {fragment.box, fragment.box, fragment.box};
-      with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
+      LaneBox rest[3] = {box, box, box};
+      with_primitive(scene_, fragment.index, [&](const auto& primitive) {
         cut_off_all(primitive, binning, first, last, margin_, rest, sum);
       });
       for (int axis = 0; axis < 3; ++axis)
@@ -374,6 +311,20 @@ private:
           sum.of[last[axis]].join(axis, rest[axis]);
     });
     return cheapest_split(bins.of, bins.count);
+  }
+
+  RangeSplit split_of(const FragmentRange& range, const Extent& extent, int depth) const {
+    if (range.count >= fewest_halved(depth)) return {};
+    const Binning by_centre(extent.centres, bins_by_centre(range.count));
+    const ObjectSplit objects = object_split(range, by_centre);
+    const AxisSplit& at = objects.at;
+    if (at.axis < 0) return {};
+    if (range.room > 0 && is_worth_splitting(boxf(common(objects.left, objects.right)), root_area_)) {
+      const Binning by_space(extent.box, bins_in_space);
+      const AxisSplit space = spatial_split(range, by_space, at.cost);
+      if (space.cost < at.cost) return {SplitKind::by_space, space, by_space.along[space.axis]};
+    }
+    return {SplitKind::by_centre, at, by_centre.along[at.axis]};
   }
 
   struct Halves {
@@ -384,89 +335,57 @@ private:
   static Halves with_room(const FragmentRange& range, std::uint32_t left_count) {
     const std::uint32_t room = room_of_left(range.room, left_count, range.count),
                         places = room_of_left(range.places, left_count, range.count);
-    HierarchyFragment* const right = range.first + left_count;
+    BinaryNode* const right = range.first + left_count;
     if (places > 0) std::move_backward(right, range.end(), range.end() + places);
     return {{range.first, left_count, places, room},
             {right + places, range.count - left_count, range.places - places, range.room - room}};
   }
 
-  // In the order that Partition (spatial_split_passes.h) has, too.
-  template <class GoesLeft>
-  static std::uint32_t partitioned(const FragmentRange& range, const GoesLeft& goes_left) {
-    return static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), goes_left) - range.first);
-  }
-
-  // Divides at a plane what lies on both sides of it, as long as there is room. `moved`: memory for a range
-  // that has no more places.
-  Halves split_by_space(FragmentRange range, const Binning& binning, const AxisSplit& best,
-                        HostArray<HierarchyFragment>& moved) {
-    const float plane = binning.plane(best.axis, best.number);
+  // Divides what crosses the plane, as long as there is room. `moved`: memory for a range that has no more
+  // places.
+  void divide(FragmentRange& range, const RangeSplit& split, HostArray<BinaryNode>& moved) {
     const std::uint32_t count = range.count;
     for (std::uint32_t i = 0; i != count && range.room > 0; ++i) {
       if (i % fragments_per_check == fragments_per_check - 1) check_progress(progress_);
-      const HierarchyFragment fragment = range.first[i];
-      if (binning.bins_of(fragment.box.low)[best.axis] > best.number ||
-          binning.bins_of(fragment.box.high)[best.axis] <= best.number)
-        continue;
-      HierarchyFragment below = fragment, above = fragment;
-      with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
-        const LaneSides sides(sides_with_margin(primitive, best.axis, plane, margin_));
-        below.box = common(sides.below, fragment.box);
-        above.box = common(sides.above, fragment.box);
-      });
-      if (!holds_something(below.box) || !holds_something(above.box)) continue;
-      below.box.low[3] = above.box.low[3] = fragment.box.low[3];
-      below.box.high[3] = above.box.high[3] = 0;
+      Sides parts;
+      if (!split.divides(scene_, margin_, range.first[i], parts)) continue;
       if (range.places == 0) {
-        HostArray<HierarchyFragment> more(places_for(range.count + 16));
+        HostArray<BinaryNode> more(places_for(range.count + 16));
         std::copy(range.begin(), range.end(), more.begin());
         moved.swap(more);
         range.first = moved.data();
         range.places = static_cast<std::uint32_t>(moved.size()) - range.count;
       }
-      range.first[i] = below;
-      range.first[range.count++] = above;
+      BinaryNode& below = range.first[i];
+      range.first[range.count++] = {parts.above.min, below.index, parts.above.max, 0};
+      below = {parts.below.min, below.index, parts.below.max, 0};
       --range.places;
       --range.room;
     }
-    const std::uint32_t left_count = partitioned(
-        range, [&](const HierarchyFragment& fragment) { return fragment.centre()[best.axis] < 2 * plane; });
-    // Parts within the margin of an older plane may all come to lie on one side.
-    const bool one_sided = left_count == 0 || left_count == range.count;
-    return with_room(range, one_sided ? range.count / 2 : left_count);
   }
 
-  Halves halves_of(const FragmentRange& range, const Extent& extent, int depth,
-                   HostArray<HierarchyFragment>& moved) {
-    if (range.count >= fewest_halved(depth)) return with_room(range, range.count / 2);
-    const Binning by_centre(extent.centres, bins_by_centre(range.count));
-    const ObjectSplit objects = object_split(range, by_centre);
-    const LaneBox overlap = common(objects.left, objects.right);
-    if (range.room > 0 && objects.axis >= 0 && holds_something(overlap) &&
-        overlap.area() > overlap_worth_splitting * root_area_) {
-      const Binning by_space(extent.box, bins_in_space);
-      const WholeLanes4 axes = axes_worth_splitting(range, by_space, objects.cost);
-      const bool is_worth_it = axes[0] != 0 || axes[1] != 0 || axes[2] != 0;
-      const AxisSplit space = is_worth_it ? spatial_split(range, by_space, axes) : AxisSplit{};
-      if (space.cost < objects.cost) return split_by_space(range, by_space, space, moved);
-    }
-    if (objects.axis < 0) return with_room(range, range.count / 2);
-    return with_room(range, partitioned(range, [&](const HierarchyFragment& fragment) {
-                       return by_centre.bins_of(fragment.centre())[objects.axis] <= objects.bin;
-                     }));
+  // In the order that Partition (spatial_split_passes.h) has, too.
+  Halves halves_of(FragmentRange range, const RangeSplit& split, HostArray<BinaryNode>& moved) {
+    if (split.kind == SplitKind::by_space) divide(range, split, moved);
+    std::uint32_t left = 0;
+    with_axis(split.at.axis, [&](auto axis) {
+      const auto is_left = [&](const BinaryNode& fragment) { return split.is_left(fragment, axis); };
+      left = static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), is_left) - range.first);
+    });
+    // Parts within the margin of an older plane may all come to lie on one side.
+    return with_room(range, left == 0 || left == range.count ? range.count / 2 : left);
   }
 
   CollapseCosts split(std::uint32_t number, const FragmentRange& range, int depth) {
     const Extent extent = extent_of(range);
-    const Lanes4 &low = extent.box.low, &high = extent.box.high;
+    const Boxf box = boxf(extent.box);
     BinaryNode& node = nodes_[number];
-    node = {{low[0], low[1], low[2]}, 0, {high[0], high[1], high[2]}, range.count};
+    node = {box.min, range.first->index, box.max, range.count};
     if (range.count <= 1) {
-      node.index = range.first->primitive();
       return with_choice(number, collapse_costs_of_leaf(node));
     }
-    HostArray<HierarchyFragment> moved;
-    const Halves halves = halves_of(range, extent, depth, moved);
+    HostArray<BinaryNode> moved;
+    const Halves halves = halves_of(range, split_of(range, extent, depth), moved);
     const std::uint32_t left = used_.fetch_add(2);
     node.index = left;
     CollapseCosts left_costs{}, right_costs{};
@@ -494,7 +413,7 @@ private:
   double margin_;
   ProgressMonitor* progress_;
   std::uint32_t count_; // of leaves
-  HostArray<HierarchyFragment> fragments_;
+  HostArray<BinaryNode> fragments_;
   HostArray<BinaryNode> nodes_;
   HostArray<CollapseChoice> choices_;
   float root_area_ = 0;

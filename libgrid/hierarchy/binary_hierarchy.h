@@ -3,22 +3,10 @@
 #pragma once
 
 #include "libgrid/hierarchy/collapse_passes.h"
-#include "libgrid/hierarchy/lane_box.h"
 #include "libscene/passes/host_executor.h"
 #include "libscene/scene_view.h"
 
 namespace masu {
-
-// The bounds of a primitive, or of a part of it, the margin included; its index is in a lane that boxes
-// ignore, and in the other one whether it is a whole triangle.
-struct HierarchyFragment {
-  LaneBox box;
-
-  PrimitiveIndex primitive() const { return bits_of(box.low[3]); }
-  bool is_whole_triangle() const { return box.high[3] != 0; }
-  // Twice the centre.
-  Lanes4 centre() const { return box.low + box.high; }
-};
 
 // From the top down, by the surface area heuristic over bins (Wald, "On Fast Construction of SAH-based
 // Bounding Volume Hierarchies", RT 2007), with what the leaves hold of primitives divided further at planes

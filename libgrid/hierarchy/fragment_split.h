@@ -5,7 +5,7 @@
 #pragma once
 
 #include "libgrid/grid/overlap/clipped_bounds.h"
-#include "libgrid/hierarchy/node_boxes.h"
+#include "libgrid/hierarchy/leaf_split.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,11 @@ MASU_HD inline std::int32_t bins_by_centre(std::uint32_t fragments) {
   return fragments > 64 ? most_bins : most_bins / 2;
 }
 
-// Where the boxes of the best object split overlap by less than this share of the root's surface, a spatial
-// one isn't tried.
-inline constexpr float overlap_worth_splitting = 1e-4F;
+// Whether a spatial split is tried where the boxes of the best object split overlap: not by less than a share
+// of the root's surface.
+MASU_HD inline bool is_worth_splitting(const Boxf& overlap, float root_area) {
+  return !is_empty(overlap) && half_area(overlap) > 1e-4F * root_area;
+}
 
 // Of so many fragments or more at this depth halves are taken, lest the hierarchy become too deep for the
 // walk's stack. A spatial split may leave twice as many fragments on one side.
@@ -68,5 +70,37 @@ MASU_HD Sides sides_with_margin(const Primitive& primitive, int axis, double pla
   };
   return {part(sides.below), part(sides.above)};
 }
+
+enum class SplitKind : std::uint32_t { halves, by_centre, by_space };
+
+// How a range is split.
+struct RangeSplit {
+  SplitKind kind = SplitKind::halves;
+  AxisSplit at{}; // numbered by the last bin that goes left
+  FragmentBins along{};
+  bool overlaps = false; // by so much that planes are tried
+
+  MASU_HD bool is_left(const BinaryNode& fragment) const {
+    return kind != SplitKind::halves && is_left(fragment, at.axis);
+  }
+  // Where its axis is known, as a constant perhaps.
+  MASU_HD bool is_left(const BinaryNode& fragment, int axis) const {
+    const float centre = twice_the_centre(fragment, axis);
+    return kind == SplitKind::by_space ? centre < 2 * along.plane(at.number) : along(centre) <= at.number;
+  }
+  // By the plane; then its parts, unless one is empty.
+  template <class Stored>
+  MASU_HD bool divides(const SceneView<Stored>& scene, double margin, const BinaryNode& fragment,
+                       Sides& parts) const {
+    if (kind != SplitKind::by_space || along(fragment.min[at.axis]) > at.number ||
+        along(fragment.max[at.axis]) <= at.number)
+      return false;
+    with_primitive(scene, fragment.index, [&](const auto& primitive) {
+      parts = sides_with_margin(primitive, at.axis, along.plane(at.number), margin);
+    });
+    parts = {common(parts.below, fragment.box()), common(parts.above, fragment.box())};
+    return !is_empty(parts.below) && !is_empty(parts.above);
+  }
+};
 
 } // namespace masu

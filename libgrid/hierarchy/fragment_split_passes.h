@@ -3,7 +3,6 @@
 
 #include "libgrid/hierarchy/fragment_levels.h"
 #include "libgrid/hierarchy/fragment_split.h"
-#include "libgrid/hierarchy/leaf_split.h"
 #include "libscene/base/atomic.h"
 #include "libscene/passes/thread_group.h"
 
@@ -63,15 +62,9 @@ struct FindExtents {
   }
 };
 
-// Between two bins along an axis.
-struct BinSplit {
-  float cost = INFINITY;
-  std::int32_t axis = -1; // none: everything is in one place
-  std::int32_t bin = 0;   // the last one that goes left
-};
-MASU_HD inline bool comes_before(const BinSplit& a, const BinSplit& b) {
+MASU_HD inline bool comes_before(const AxisSplit& a, const AxisSplit& b) {
   if (a.cost != b.cost) return a.cost < b.cost;
-  return a.axis != b.axis ? a.axis < b.axis : a.bin < b.bin;
+  return a.axis != b.axis ? a.axis < b.axis : a.number < b.number;
 }
 
 // Fragments on one side of a split.
@@ -84,10 +77,10 @@ struct SplitSide {
     count += by;
   }
 };
-MASU_HD inline void add_candidate(const BinSplit& candidate, const SplitSide& left, const SplitSide& right,
-                                  BinSplit& best) {
+MASU_HD inline void add_candidate(const AxisSplit& candidate, const SplitSide& left, const SplitSide& right,
+                                  AxisSplit& best) {
   if (left.count == 0 || right.count == 0) return;
-  BinSplit split = candidate;
+  AxisSplit split = candidate;
   split.cost = split_cost(half_area(left.box), static_cast<float>(left.count), half_area(right.box),
                           static_cast<float>(right.count));
   if (comes_before(split, best)) best = split;
@@ -131,49 +124,20 @@ struct BinSums {
   }
   // Of the first so many bins along each axis, for the first thread.
   template <class ThreadGroup>
-  MASU_HD BinSplit cheapest(const ThreadGroup& group, std::int32_t bins) const {
-    BinSplit best;
+  MASU_HD AxisSplit cheapest(const ThreadGroup& group, std::int32_t bins) const {
+    AxisSplit best;
     const auto own = static_cast<std::int32_t>(group.thread_rank()), // candidates are the first warp's
         threads = min(static_cast<std::int32_t>(group.size()), lanes_per_warp);
     for (std::int32_t i = own; own < threads && i < 3 * (bins - 1); i += threads) {
-      const BinSplit candidate{INFINITY, i / (bins - 1), i % (bins - 1)};
+      const AxisSplit candidate{INFINITY, i / (bins - 1), i % (bins - 1)};
       SplitSide left, right;
       for (std::int32_t b = 0; b < bins; ++b) {
         const Bin& bin = along[candidate.axis][b];
-        b <= candidate.bin ? left.add(bin.box, bin.begin) : right.add(bin.box, bin.end);
+        b <= candidate.number ? left.add(bin.box, bin.begin) : right.add(bin.box, bin.end);
       }
       add_candidate(candidate, left, right, best);
     }
     return group.first_of_all(best);
-  }
-};
-
-enum class SplitKind : std::uint32_t { halves, by_centre, by_space };
-
-// How a range is split.
-struct RangeSplit {
-  SplitKind kind = SplitKind::halves;
-  BinSplit at{};
-  FragmentBins along{};
-  bool overlaps = false; // by so much that planes are tried
-
-  MASU_HD bool is_left(const BinaryNode& fragment) const {
-    if (kind == SplitKind::halves) return false;
-    const float centre = twice_the_centre(fragment, at.axis);
-    return kind == SplitKind::by_space ? centre < 2 * along.plane(at.bin) : along(centre) <= at.bin;
-  }
-  // By the plane; then its parts, unless one is empty.
-  template <class Stored>
-  MASU_HD bool divides(const SceneView<Stored>& scene, double margin, const BinaryNode& fragment,
-                       Sides& parts) const {
-    if (kind != SplitKind::by_space || along(fragment.min[at.axis]) > at.bin ||
-        along(fragment.max[at.axis]) <= at.bin)
-      return false;
-    with_primitive(scene, fragment.index, [&](const auto& primitive) {
-      parts = sides_with_margin(primitive, at.axis, along.plane(at.bin), margin);
-    });
-    parts = {common(parts.below, fragment.box()), common(parts.above, fragment.box())};
-    return !is_empty(parts.below) && !is_empty(parts.above);
   }
 };
 
@@ -209,7 +173,7 @@ struct SplitObjects {
     const auto [first, count, room] = ranges[range];
     const std::int32_t bin_count = bins_by_centre(count);
     const bool is_halved = count >= fewest_in_halves, is_few = count <= few_leaves;
-    BinSplit best;
+    AxisSplit best;
     if (is_few && !is_halved) best = cheapest_of_few(group, range);
     if (!is_few && !is_halved) {
       // Each begins and ends in a bin.
@@ -223,16 +187,14 @@ struct SplitObjects {
       split = {SplitKind::by_centre, best, bins_along(range, best.axis), false};
       Boxf left = empty_box<float>(), right = left;
       const auto add_to_side = [&](const Boxf& box, std::int32_t bin) {
-        Boxf& side = bin <= best.bin ? left : right;
+        Boxf& side = bin <= best.number ? left : right;
         side = join(side, box);
       };
       for (std::uint32_t i = first; is_few && i < first + count; ++i)
         add_to_side(fragments[i].box(), split.along(twice_the_centre(fragments[i], best.axis)));
       for (std::int32_t i = 0; !is_few && i < bin_count; ++i)
         add_to_side(sum.along[best.axis][i].box, i);
-      const Boxf overlap = common(left, right);
-      split.overlaps = room > 0 && !is_empty(overlap) &&
-                       half_area(overlap) > overlap_worth_splitting * half_area(root->box());
+      split.overlaps = room > 0 && is_worth_splitting(common(left, right), half_area(root->box()));
       if (split.overlaps) static_cast<void>(added(*overlapping, 1));
     }
     splits[range] = split;
@@ -244,17 +206,17 @@ private:
   }
   // After any of the bins that their centres are in.
   template <class ThreadGroup>
-  MASU_HD BinSplit cheapest_of_few(const ThreadGroup& group, std::uint64_t range) const {
+  MASU_HD AxisSplit cheapest_of_few(const ThreadGroup& group, std::uint64_t range) const {
     const auto [first, count, room] = ranges[range];
-    BinSplit best;
+    AxisSplit best;
     for (std::uint32_t i = group.thread_rank(); i < 3 * count; i += group.size()) {
       const auto axis = static_cast<std::int32_t>(i % 3);
       const FragmentBins bins = bins_along(range, axis);
-      const BinSplit candidate{INFINITY, axis, bins(twice_the_centre(fragments[first + i / 3], axis))};
+      const AxisSplit candidate{INFINITY, axis, bins(twice_the_centre(fragments[first + i / 3], axis))};
       SplitSide left, right;
       for (std::uint32_t k = first; k < first + count; ++k) {
         const BinaryNode fragment = fragments[k];
-        (bins(twice_the_centre(fragment, axis)) <= candidate.bin ? left : right).add(fragment.box(), 1);
+        (bins(twice_the_centre(fragment, axis)) <= candidate.number ? left : right).add(fragment.box(), 1);
       }
       add_candidate(candidate, left, right, best);
     }
@@ -302,7 +264,7 @@ struct SplitSpace {
   }
   template <class ThreadGroup>
   MASU_HD void finish(const ThreadGroup& group, const Sum& sum, std::uint64_t range) const {
-    const BinSplit best = sum.cheapest(group, bins_in_space);
+    const AxisSplit best = sum.cheapest(group, bins_in_space);
     if (group.thread_rank() == 0 && best.cost < splits[range].at.cost)
       splits[range] = {SplitKind::by_space, best, bins_along(range, best.axis), true};
   }

@@ -25,6 +25,7 @@ struct LaneBox {
     low = smaller(low, other.low);
     high = larger(high, other.high);
   }
+  Lanes4 twice_the_centre() const { return low + high; }
   // Half of the surface: what SAH compares.
   float area() const {
     const Lanes4 side = high - low;

@@ -37,6 +37,13 @@ MASU_HD Areas split_cost(Areas left, Counts left_count, Areas right, Counts righ
   return left * left_count + right * right_count;
 }
 
+// Between numbered candidates along an axis.
+struct AxisSplit {
+  float cost = INFINITY;
+  std::int32_t axis = -1; // none: everything is in one place
+  std::int32_t number = 0;
+};
+
 // A range of more leaves at this depth is halved, lest the hierarchy become too deep: what is split off may
 // leave one leaf fewer, which must still fit below when halved again and again.
 inline std::uint32_t most_leaves_split(std::size_t depth) {

@@ -5,14 +5,46 @@
 #include "libgrid/hierarchy/leaf_split.h"
 
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 namespace masu {
 
-// Of the candidates along an axis, which are numbered.
-struct AxisSplit {
-  float cost = INFINITY;
-  int axis = -1; // none: everything is in one place
-  std::int32_t number = 0;
+// A node in registers: its box, and in the last lanes the rest.
+inline LaneBox box_of(const BinaryNode& node) {
+  LaneBox record;
+  std::memcpy(static_cast<void*>(&record), &node, sizeof node);
+  return record;
+}
+inline void put(const LaneBox& record, BinaryNode& to) {
+  std::memcpy(static_cast<void*>(&to), &record, sizeof to);
+}
+
+// Calls act(a constant) for an axis; not for none.
+template <class Act>
+void with_axis(std::int32_t axis, const Act& act) {
+  if (axis == 0) act(std::integral_constant<int, 0>{});
+  if (axis == 1) act(std::integral_constant<int, 1>{});
+  if (axis == 2) act(std::integral_constant<int, 2>{});
+}
+
+// The bins of three axes.
+class BinLanes {
+public:
+  template <class Bins>
+  explicit BinLanes(const Bins (&along)[3])
+      : low_{along[0].low, along[1].low, along[2].low,
+             1}, // far from numbers so small that arithmetic is slow
+        per_unit_{along[0].per_unit, along[1].per_unit, along[2].per_unit, 0}, last_(along[0].count - 1) {}
+  WholeLanes4 operator()(Lanes4 place) const {
+    WholeLanes4 in = __builtin_convertvector((place - low_) * per_unit_, WholeLanes4);
+    in = in < 0 ? WholeLanes4{} : in;
+    return in > last_ ? WholeLanes4{} + last_ : in;
+  }
+
+private:
+  Lanes4 low_, per_unit_;
+  std::int32_t last_;
 };
 
 // The cheapest candidate, of equal ones the first along the first axis.

@@ -6,38 +6,18 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <cstring>
-#include <type_traits>
 #include <vector>
 
 namespace masu {
 
 namespace {
 
-// A leaf in registers: its box, and in the last lanes the rest.
-LaneBox box_of(const BinaryNode& leaf) {
-  LaneBox record;
-  std::memcpy(static_cast<void*>(&record), &leaf, sizeof leaf);
-  return record;
-}
-void put(const LaneBox& record, BinaryNode& to) {
-  std::memcpy(static_cast<void*>(&to), &record, sizeof to);
-}
-
-// Calls act(a constant) for an axis; not for none.
-template <class Act>
-void with_axis(std::int32_t axis, const Act& act) {
-  if (axis == 0) act(std::integral_constant<int, 0>{});
-  if (axis == 1) act(std::integral_constant<int, 1>{});
-  if (axis == 2) act(std::integral_constant<int, 2>{});
-}
-
 LeafSplit cheapest_of_few(const BinaryNode* leaves, std::uint32_t count) {
   LaneBox boxes[few_leaves];
   Lanes4 centres[few_leaves];
   for (std::uint32_t i = 0; i < count; ++i) {
     boxes[i] = box_of(leaves[i]);
-    centres[i] = boxes[i].low + boxes[i].high;
+    centres[i] = boxes[i].twice_the_centre();
   }
   const SortedFew sorted(boxes, centres, count);
   const AxisSplit split = sorted.cheapest_split();
@@ -49,26 +29,21 @@ LeafSplit cheapest_of_many(const BinaryNode* leaves, std::uint32_t count, const 
   const LeafSample sample(count);
   LaneBox around;
   sample.for_each(0, 1, [&](std::uint32_t i, std::uint32_t) {
-    const LaneBox box = box_of(leaves[i]);
-    const Lanes4 centre = box.low + box.high;
+    const Lanes4 centre = box_of(leaves[i]).twice_the_centre();
     around.join({centre, centre});
   });
   const Boxf centres{{around.low[0], around.low[1], around.low[2]},
                      {around.high[0], around.high[1], around.high[2]}};
   const LeafBins along[] = {
       {sample, centres, space, 0}, {sample, centres, space, 1}, {sample, centres, space, 2}};
-  const std::int32_t bin_count = along[0].count, last = bin_count - 1;
+  const BinLanes bins_of(along);
+  const std::int32_t bin_count = along[0].count;
   AxisBin bins[max_bins];
   for (std::int32_t i = 0; i < bin_count; ++i)
     bins[i].clear();
-  // The last lane: far from numbers so small that arithmetic is slow.
-  const Lanes4 low = {along[0].low, along[1].low, along[2].low, 1},
-               per_unit = {along[0].per_unit, along[1].per_unit, along[2].per_unit, 0};
   sample.for_each(0, 1, [&](std::uint32_t i, std::uint32_t stands_for) {
     const LaneBox box = box_of(leaves[i]);
-    WholeLanes4 in = __builtin_convertvector((box.low + box.high - low) * per_unit, WholeLanes4);
-    in = in < 0 ? WholeLanes4{} : in;
-    in = in > last ? WholeLanes4{} + last : in;
+    const WholeLanes4 in = bins_of(box.twice_the_centre());
     for (int axis = 0; axis < 3; ++axis) {
       AxisBin& bin = bins[in[axis]];
       bin.join(axis, box);

@@ -169,19 +169,20 @@ MASU_ALWAYS_INLINE Real least_lane(Lanes<Real> a) {
   return -largest_lane(-a);
 }
 
-// Four floats.
-MASU_ALWAYS_INLINE __m128 rounded_up(Doubles4 value) {
-  const __m128 nearest = _mm256_cvtpd_ps(value.v);
-  const __m256i is_less = reinterpret_cast<__m256i>(_mm256_cvtps_pd(nearest) < value.v);
-  const __m128 moves = _mm256_castps256_ps128(reinterpret_cast<__m256>(
-      _mm256_permutevar8x32_epi32(is_less, _mm256_setr_epi32(0, 2, 4, 6, 0, 2, 4, 6))));
+// The four first floats of the first, the others of the second.
+MASU_ALWAYS_INLINE Floats8 rounded_up(Doubles4 first, Doubles4 second) {
+  const __m128 low = _mm256_cvtpd_ps(first.v), high = _mm256_cvtpd_ps(second.v);
+  const __m256 nearest = _mm256_set_m128(high, low);
+  const auto is_less = [](__m128 rounded, Doubles4 value) {
+    return _mm256_castpd_ps((Doubles4(_mm256_cvtps_pd(rounded)) < value).v);
+  };
+  const __m256 halves = _mm256_shuffle_ps(is_less(low, first), is_less(high, second), 0b10'00'10'00);
+  const __m256d moves = _mm256_permute4x64_pd(_mm256_castps_pd(halves), 0b11'01'10'00);
   // Away from zero if it is positive; and -0 as 0.
-  const __m128i bits = _mm_castps_si128(_mm_add_ps(nearest, _mm_setzero_ps()));
-  const __m128i step = _mm_or_si128(_mm_srai_epi32(bits, 31), _mm_set1_epi32(1));
-  return _mm_blendv_ps(nearest, _mm_castsi128_ps(_mm_add_epi32(bits, step)), moves);
-}
-MASU_ALWAYS_INLINE __m128 rounded_down(Doubles4 value) {
-  return -rounded_up(-value);
+  const __m256i bits = _mm256_castps_si256(_mm256_add_ps(nearest, _mm256_setzero_ps()));
+  const __m256i step = _mm256_or_si256(_mm256_srai_epi32(bits, 31), _mm256_set1_epi32(1));
+  return _mm256_blendv_ps(nearest, _mm256_castsi256_ps(_mm256_add_epi32(bits, step)),
+                          _mm256_castpd_ps(moves));
 }
 
 // Of eight floats those from `first` on.

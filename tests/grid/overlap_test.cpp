@@ -3,13 +3,11 @@
 #include "libgrid/grid/division.h"
 #include "libgrid/grid/overlap/clipped_bounds.h"
 #include "libgrid/grid/overlap/overlap.h"
+#include "libgrid/hierarchy/clipped_lanes.h"
 #include "stability/oracle/oracle.h"
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
 #include "tests/surface_point.h"
-#ifdef MASU_HOST_AVX2
-#include "libgrid/grid/overlap/clipped_lanes.h"
-#endif
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -557,45 +555,31 @@ TEST_F(PrimitivesCutByAPlane, AreAsSmallAsAShortenedCone) {
   }
 }
 
-#ifdef MASU_HOST_AVX2
-TEST_F(PrimitivesCutByAPlane, AreTheSameBitsByFourPlanesAtOnce) {
-  for (int count = 0; count < 20000; ++count) {
-    const auto triangle = random_triangle<double>(chance_, std::pow(10.0, chance_.uniform(-6, 6)));
-    const Boxd whole = bounds(triangle);
-    int axes[4];
-    double planes[4];
-    for (int lane = 0; lane < 4; ++lane) {
-      const int axis = axes[lane] = chance_.whole(0, 2);
-      planes[lane] = chance_.one_in(3) ? chance_.one_of({triangle.a, triangle.b, triangle.c})[axis]
-                                       : chance_.uniform(whole.min[axis], whole.max[axis]);
-    }
-    const Doubles4 at = _mm256_loadu_pd(planes);
-    const ClippedBoundsOf<Doubles4> four = sides_of(triangle, LaneAxes(axes), at, at);
-    const auto expect_lane = [&](int lane, double one, Doubles4 all) {
-      double numbers[4];
-      float up[4], down[4];
-      _mm256_storeu_pd(numbers, all.v);
-      _mm_storeu_ps(up, rounded_up(all));
-      _mm_storeu_ps(down, rounded_down(all));
-      EXPECT_EQ(one, numbers[lane]);
-      EXPECT_EQ(rounded_up(one), up[lane]);
-      EXPECT_EQ(rounded_down(one), down[lane]);
+TEST_F(PrimitivesCutByAPlane, AreTheSameBitsInLanes) {
+  const auto are_the_same = [&](const auto& primitive, double margin) {
+    const Boxd whole = bounds(primitive);
+    const int axis = chance_.whole(0, 2);
+    const double plane = chance_.one_in(3) ? chance_.one_of({whole.min, whole.max})[axis]
+                                           : chance_.uniform(whole.min[axis], whole.max[axis]);
+    const Sides expected = sides_with_margin(primitive, axis, plane, margin);
+    const LaneSides sides = ClippedLanes(primitive).sides(axis, plane, margin);
+    const auto expect_box = [&](const Boxf& box, const LaneBox& lanes) {
+      for (int i = 0; i < 3 && !is_empty(box); ++i) {
+        EXPECT_EQ(box.min[i], lanes.low[i]);
+        EXPECT_EQ(box.max[i], lanes.high[i]);
+      }
+      EXPECT_EQ(is_empty(box), lanes.low[axis] > lanes.high[axis]);
     };
-    for (int lane = 0; lane < 4; ++lane) {
-      const ClippedBounds one = sides_of(triangle, axes[lane], planes[lane], planes[lane]);
-      const auto expect_box = [&](const Boxd& box, const Box<Doubles4>& boxes) {
-        for (int axis = 0; axis < 3 && !is_empty(box); ++axis) {
-          expect_lane(lane, box.min[axis], boxes.min[axis]);
-          expect_lane(lane, box.max[axis], boxes.max[axis]);
-        }
-      };
-      expect_box(one.below, four.below);
-      expect_box(one.above, four.above);
-    }
-    if (HasFailure()) return;
+    expect_box(expected.below, sides.below);
+    expect_box(expected.above, sides.above);
+  };
+  for (int count = 0; count < 20000 && !HasFailure(); ++count) {
+    const double scale = std::pow(10.0, chance_.uniform(-6, 6)),
+                 margin = chance_.one_in(2) ? 0 : 1e-6 * scale;
+    are_the_same(random_triangle<double>(chance_, scale), margin);
+    are_the_same(random_cone<double>(chance_, scale), margin);
   }
 }
-#endif
 
 } // namespace
 } // namespace masu

@@ -9,50 +9,27 @@
 namespace masu {
 
 // The parts of a primitive on either side of a plane: bounds of what is at most `low` along the axis, and of
-// what is at least `high`. Number: double, or lanes (clipped_lanes.h).
-template <class Number>
-struct ClippedBoundsOf {
-  Box<Number> below, above;
+// what is at least `high`.
+struct ClippedBounds {
+  Boxd below, above;
 };
-using ClippedBounds = ClippedBoundsOf<double>;
 
-template <class Point>
-MASU_HD inline void join_where(bool is_there, Boxd& box, const Point& point) {
-  if (is_there) box = join(box, point());
-}
-
-MASU_HD inline double coordinate(const Vec3d& v, int axis) {
-  return v[axis];
-}
-MASU_HD inline void set_coordinate(Vec3d& v, int axis, double to) {
-  v.set(axis, to);
-}
-
-template <class Axis, class Number>
-MASU_HD inline ClippedBoundsOf<Number> sides_of(const Triangle<double>& triangle, const Axis& axis,
-                                                Number low, Number high) {
+MASU_HD inline ClippedBounds sides_of(const Triangle<double>& triangle, int axis, double low, double high) {
   const Vec3d corners[] = {triangle.a, triangle.b, triangle.c};
-  const Number far = RealTraits<double>::largest;
-  const Box<Number> empty{{far, far, far}, {-far, -far, -far}};
-  ClippedBoundsOf<Number> sides{empty, empty};
+  ClippedBounds sides{empty_box<double>(), empty_box<double>()};
   for (int i = 0; i < 3; ++i) {
     const Vec3d &p = corners[i], &q = corners[(i + 1) % 3];
-    const Number begin = coordinate(p, axis), end = coordinate(q, axis);
-    const auto corner = [&] { return Vec3<Number>{p.x, p.y, p.z}; };
-    join_where(begin <= low, sides.below, corner);
-    join_where(high <= begin, sides.above, corner);
-    const auto crosses = [&](Number plane) {
-      return ((begin < plane) & (plane < end)) | ((end < plane) & (plane < begin));
+    const double begin = p[axis], end = q[axis];
+    if (begin <= low) sides.below = join(sides.below, p);
+    if (high <= begin) sides.above = join(sides.above, p);
+    const auto join_meeting = [&](double plane, Boxd& box) {
+      if (!(begin < plane && plane < end) && !(end < plane && plane < begin)) return;
+      Vec3d at = p + (q - p) * ((plane - begin) / (end - begin));
+      at.set(axis, plane);
+      box = join(box, at);
     };
-    const auto meeting = [&](Number plane) {
-      const Vec3d side = q - p;
-      const Number share = (plane - begin) / (end - begin);
-      Vec3<Number> at{p.x + side.x * share, p.y + side.y * share, p.z + side.z * share};
-      set_coordinate(at, axis, plane);
-      return at;
-    };
-    join_where(crosses(low), sides.below, [&] { return meeting(low); });
-    join_where(crosses(high), sides.above, [&] { return meeting(high); });
+    join_meeting(low, sides.below);
+    join_meeting(high, sides.above);
   }
   return sides;
 }

@@ -1,0 +1,90 @@
+// Primitives cut by planes, with the same bits as by sides_with_margin() (fragment_split.h). Host only.
+#pragma once
+
+#include "libgrid/hierarchy/fragment_split.h"
+#include "libgrid/hierarchy/lane_box.h"
+#ifdef MASU_HOST_AVX2
+#include "libscene/geometry/lanes.h"
+#endif
+
+#include <limits>
+
+namespace masu {
+
+struct LaneSides {
+  LaneBox below, above;
+};
+
+template <class Primitive>
+class ClippedLanes {
+public:
+  explicit ClippedLanes(const Primitive& primitive) : primitive_(primitive) {}
+
+  LaneSides sides(int axis, double plane, double margin) const {
+    const Sides of = sides_with_margin(primitive_, axis, plane, margin);
+    return {in_lanes(of.below), in_lanes(of.above)};
+  }
+
+private:
+  static LaneBox in_lanes(const Boxf& box) {
+    return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
+  }
+
+  const Primitive& primitive_;
+};
+
+#ifdef MASU_HOST_AVX2
+// A triangle's coordinates are lanes.
+template <>
+class ClippedLanes<Triangle<double>> {
+public:
+  explicit ClippedLanes(const Triangle<double>& t)
+      : corners_{lanes(t.a.x, t.a.y, t.a.z), lanes(t.b.x, t.b.y, t.b.z), lanes(t.c.x, t.c.y, t.c.z)},
+        along_{lanes(t.a.x, t.b.x, t.c.x), lanes(t.a.y, t.b.y, t.c.y), lanes(t.a.z, t.b.z, t.c.z)} {
+    for (unsigned corners = 1; corners < 8; ++corners) {
+      of_corners_[corners] = of_corners_[corners & (corners - 1)];
+      of_corners_[corners].add(corners_[__builtin_ctz(corners)]);
+    }
+  }
+
+  LaneSides sides(int axis, double plane, double margin) const {
+    const Doubles4 at = plane, begin = along_[axis], end = _mm256_permute4x64_pd(begin.v, 0b11'00'10'01),
+                   share = (at - begin) / (end - begin);
+    const LaneMask<double> crosses = ((begin < at) & (at < end)) | ((end < at) & (at < begin));
+    const LaneMask<double> is_axis(
+        _mm256_cmpeq_epi64(_mm256_setr_epi64x(0, 1, 2, 3), _mm256_set1_epi64x(axis)));
+    // Of an edge that crosses, where it meets the plane; else NaN, which no bounds take.
+    const Doubles4 met = select(crosses, share, std::numeric_limits<double>::quiet_NaN());
+    Bounds meetings;
+    const auto add = [&](int i, Doubles4 of_edge) {
+      const Doubles4 p = corners_[i], edge = corners_[(i + 1) % 3] - p;
+      meetings.add(select(is_axis, at, p) + select(is_axis, 0.0, edge) * of_edge);
+    };
+    add(0, _mm256_permute4x64_pd(met.v, 0x00));
+    add(1, _mm256_permute4x64_pd(met.v, 0x55));
+    add(2, _mm256_permute4x64_pd(met.v, 0xaa));
+    return {meetings.with(of_corners_[(begin <= at).bits() & 7], margin),
+            meetings.with(of_corners_[(at <= begin).bits() & 7], margin)};
+  }
+
+private:
+  struct Bounds {
+    Doubles4 low = RealTraits<double>::largest, high = -RealTraits<double>::largest;
+
+    void add(Doubles4 point) {
+      low = min(point, low);
+      high = max(point, high);
+    }
+    LaneBox with(const Bounds& other, double margin) const {
+      const __m256 both = rounded_up(margin - min(low, other.low), max(high, other.high) + margin).v;
+      return {-_mm256_castps256_ps128(both), _mm256_extractf128_ps(both, 1)};
+    }
+  };
+  static Doubles4 lanes(double x, double y, double z) { return _mm256_setr_pd(x, y, z, 0); }
+
+  Doubles4 corners_[3], along_[3]; // along an axis, the corners'
+  Bounds of_corners_[8];           // by a bit for each
+};
+#endif
+
+} // namespace masu
