@@ -102,10 +102,10 @@ moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedV
   const auto fail = [](const std::string& what) { throw Error(ErrorCode::usage, "vertices", what); };
   const auto listed =
       set_of(executor, references, reference_count, references != nullptr ? scene.primitive_count() : 0);
-  const auto survey = executor.value(executor.template joined<MoveSurvey>(
-                                         scene.primitive_count(),
-                                         SurveyOf<Stored, Number>{scene, vertices, listed.data()}),
-                                     0);
+  const auto survey =
+      executor.value(executor.template joined<MoveSurvey>(
+                         scene.primitive_count(), SurveyOf<Stored, Number>{scene, vertices, listed.data()}),
+                     0);
   if (survey.first_invalid != no_primitive)
     fail("triangle " + std::to_string(survey.first_invalid) +
          " has a coordinate that isn't finite or beyond 1e100");
