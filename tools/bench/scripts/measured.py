@@ -120,14 +120,25 @@ def run_script(description, tables, gather_more=lambda results, folder: None):
     results = json.loads(given.results.read_text())
     made = {name: labelled(text, results["machine"]) for name, text in tables(results).items()}
     mark = re.compile(r"(<!-- table (\w+) -->\n).*?\n?(<!-- end -->)", re.DOTALL)
+
+    def why_stays(found):
+        """Where less was measured than for the table that is there."""
+        text = made[found[2]]
+        if text.startswith(NOT_MEASURED):
+            return text
+        return "it has more figures" if text.count("| - ") > found[0].count("| - ") else ""
+
     def filled(found):
-        if made[found[2]].startswith(NOT_MEASURED):
-            print(f"{found[2]} stays: {made[found[2]]}", file=sys.stderr)
+        why = why_stays(found) or ("other tables do" if found[2] == "head" and given_some else "")
+        if why:
+            print(f"{found[2]} stays: {why}", file=sys.stderr)
             return found[0]
         return found[1] + made[found[2]] + "\n" + found[3]
 
     for document in given.into:
-        document.write_text(mark.sub(filled, document.read_text()))
+        text = document.read_text()
+        given_some = any(why_stays(found) for found in mark.finditer(text))
+        document.write_text(mark.sub(filled, text))
     if not given.into:
         print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))
 
