@@ -8,15 +8,9 @@ source tools/setup.sh
 require "${basics[@]}" -- "${extras[@]}"
 find_cuda
 
-echo "== building the programs: some four minutes on two cores"
+echo "== building the programs: some two minutes on two cores"
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=OFF "${cuda_options[@]}" \
-  -- --target nffgen nff2bin gridbuild gridstat gridrender masu_shared # the library: for Python
-for program in mesh2bin gridview; do # of a mesh of one's own, where what they need was found
-  if cmake --build build --target help | grep -qE "\b$program\b"; then
-    echo "== building $program"
-    build build -- --target $program
-  fi
-done
+  -- --target nffgen nff2bin gridbuild gridstat gridrender
 
 bin=build/bin
 out=out/$scene
@@ -27,9 +21,17 @@ run $bin/nff2bin "$out.nff" -o "$out.scene" --info
 run $bin/gridbuild "$out.scene" -o "$out.grid"
 run $bin/gridstat "$out.grid"
 run $bin/gridrender "$out.scene" "$out.grid" -o "$out.png" --stats "$out.json"
-cat <<NEXT
 
-the picture: $out.png
+# For Python, and of a mesh of one's own, where what they need was found.
+more=(masu_shared)
+for program in mesh2bin gridview; do
+  if cmake --build build --target help | grep -qE "\b$program\b"; then more+=($program); fi
+done
+echo
+echo "== the picture: $out.png"
+echo "== building what comes next: ${more[*]/masu_shared/the library}"
+build build -- --target "${more[@]}"
+cat <<NEXT
 
 next, with a mesh of your own (OBJ, PLY, STL, OFF, glTF, FBX, …):
   export PATH=\$PWD/$bin:\$PATH
