@@ -24,8 +24,9 @@ run $bin/gridrender "$out.scene" "$out.grid" -o "$out.png" --stats "$out.json"
 
 # For Python, and of a mesh of one's own, where what they need was found.
 more=(masu_shared)
+targets=$(cmake --build build --target help)
 for program in mesh2bin gridview; do
-  if cmake --build build --target help | grep -qE "\b$program\b"; then more+=($program); fi
+  if [[ $targets =~ (^|[^[:alnum:]_])$program([^[:alnum:]_]|$) ]]; then more+=($program); fi
 done
 echo
 echo "== the picture: $out.png"
