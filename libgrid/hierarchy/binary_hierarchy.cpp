@@ -347,7 +347,7 @@ private:
     const std::uint32_t count = range.count;
     for (std::uint32_t i = 0; i != count && range.room > 0; ++i) {
       if (i % fragments_per_check == fragments_per_check - 1) check_progress(progress_);
-      Sides parts;
+      Sides parts{};
       if (!split.divides(scene_, margin_, range.first[i], parts)) continue;
       if (range.places == 0) {
         HostArray<BinaryNode> more(places_for(range.count + 16));
