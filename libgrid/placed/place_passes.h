@@ -107,7 +107,7 @@ struct BoundsSearch {
       group.sync();
       height = drop(group, scratch, height);
       if (height == 0) return;
-      count = min(height, max(group.size() / boxes_per_node, 1U));
+      count = min(height, max(min(group.size() / boxes_per_node, most_nodes), 1U));
       if (group.thread_rank() < count) {
         const Held next = scratch.stack[height - 1 - group.thread_rank()];
         const HierarchyNode& above = meshes.nodes[next.node];
@@ -187,7 +187,7 @@ struct InvertPlacement {
   PlacedParts<Stored> parts;
   const Transform* transforms;
   Placement<Stored>* placements;
-  std::uint32_t* listed_count; // becomes 0
+  std::uint32_t* listed_count; // becomes 0: a launch less than to clear it
 
   MASU_HD PlacedSurvey<Stored> operator()(std::uint64_t i) const {
     if (i == 0) *listed_count = 0;
@@ -218,14 +218,14 @@ MASU_HD inline Boxd around_all(const PlacedParts<Stored>& parts, const PlacedSur
   return join(cast<double>(survey.around), parts.beside_bounds);
 }
 
-// Pads placement i, and lists those whose box reaches beyond the triangles that are known. Returns its number
-// if it is too large for the others' reach.
+// The first placement that is too large for the others' reach.
 struct FirstFar {
   std::uint32_t number = no_primitive;
 };
 MASU_HD inline FirstFar join(const FirstFar& a, const FirstFar& b) {
   return {min(a.number, b.number)};
 }
+// Pads placement i, and lists those whose box reaches beyond the triangles that are known.
 template <class Stored>
 struct PadPlacement {
   PlacedParts<Stored> parts;
@@ -271,7 +271,7 @@ struct SearchListed {
   }
 };
 
-// What is known of all placements together.
+// All placements together, once they are padded and searched.
 template <class Stored>
 struct PlacedFindings {
   PlacedSurvey<Stored> survey{};
@@ -348,7 +348,7 @@ PlacedArrays<Executor, Stored> placed(Executor& executor, const PlacedParts<Stor
   const PlacedSurvey<Stored>* const survey = survey_there.data();
   const auto far_there = executor.template joined<FirstFar>(
       parts.count, PadPlacement<Stored>{parts, survey, placements, listed, listed_count});
-  const std::uint32_t groups = min(parts.count, 4096U); // few are listed
+  const std::uint32_t groups = min(parts.count, 4096U); // fill any device; few are listed
   executor.for_each_by_group(
       groups, SearchListed<Stored>{parts, survey, placements, listed, listed_count, bounds, groups});
   const auto found_there = executor.template joined<PlacedFindings<Stored>>(

@@ -44,7 +44,8 @@ public:
   struct Piece {
     Stream stream;
     Event begun, uploaded, traced, downloaded;
-    PinnedRoom rays, results; // where the caller's memory isn't page-locked
+    PinnedRoom rays,
+        results; // where the caller's memory isn't page-locked; of few rays both are in the first
   };
   // Made when it is first asked for: short lists need one.
   Piece& piece(std::size_t turn) {

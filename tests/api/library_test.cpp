@@ -775,7 +775,7 @@ TEST_F(Library, FindsClosestPoints) {
       EXPECT_EQ(of_second.distance[i], expected.distance[i]);
     }
   }
-  // At a corner of a triangle all that is known of the point.
+  // At a corner of a triangle every field that a closest point has.
   const std::array<float, 3> corner{parts[0].vertices[3], parts[0].vertices[4], parts[0].vertices[5]};
   auto hits = masu::sized<masu_hits>();
   float t = -1, uv[2], normal[3];

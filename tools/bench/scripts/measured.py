@@ -129,7 +129,7 @@ def run_script(description, tables, gather_more=lambda results, folder: None):
         return "it has more figures" if text.count("| - ") > found[0].count("| - ") else ""
 
     def filled(found):
-        why = why_stays(found) or ("other tables do" if found[2] == "head" and given_some else "")
+        why = why_stays(found) or ("other tables do" if found[2] == "head" and some_stay else "")
         if why:
             print(f"{found[2]} stays: {why}", file=sys.stderr)
             return found[0]
@@ -137,7 +137,7 @@ def run_script(description, tables, gather_more=lambda results, folder: None):
 
     for document in given.into:
         text = document.read_text()
-        given_some = any(why_stays(found) for found in mark.finditer(text))
+        some_stay = any(why_stays(found) for found in mark.finditer(text))
         document.write_text(mark.sub(filled, text))
     if not given.into:
         print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))
