@@ -319,6 +319,9 @@ struct UpperItems {
     if (item >= parts.count) return box_of_primitive(parts.beside, item - parts.count, margin);
     return box_around(cast<double>(placed_box(placements[item], parts.meshes[parts.mesh[item]].box)), margin);
   }
+  MASU_HD HierarchyNode node(std::uint32_t item) const {
+    return item_node(item, item < parts.count ? placements + item : nullptr);
+  }
   // What holds nothing comes after all groups.
   MASU_HD std::uint64_t operator()(std::uint64_t i) const {
     const auto item = static_cast<std::uint32_t>(i);
@@ -380,8 +383,7 @@ PlacedArrays<Executor, Stored> placed(Executor& executor, const PlacedParts<Stor
   const int world_bits = static_cast<int>(std::bit_width(worlds));
   const UpperItems<Stored> upper{parts, placements, found_there.data()};
   const auto sorted = executor.sorted(items, world_bits + code_bits, upper);
-  std::tie(made.upper_nodes, made.roots) = upper_hierarchies(
-      executor, sorted, worlds, [=] MASU_PASS(std::uint32_t item) { return upper.box(item); });
+  std::tie(made.upper_nodes, made.roots) = upper_hierarchies(executor, sorted, worlds, upper);
   if constexpr (Executor::has_warps) check();
   return made;
 }

@@ -8,11 +8,11 @@
 
 namespace masu {
 
-// Boxes that each of them leaves on the stack, at most. Beside both there is a mark, and what a mesh's
-// hierarchy takes; or beside those above all that is taken above.
-inline constexpr int max_boxes_left = 10;
-static_assert(2 * max_hierarchy_depth + 2 * max_boxes_left + 1 <= max_stack_height);
-static_assert(2 * max_hierarchy_depth + max_boxes_left + max_upper_levels + 1 <= max_stack_height);
+// Boxes that both leave on the stack, at most, and of these the one above. Beside them there is a mark, and
+// what a mesh's hierarchy takes; or beside those above all that is taken above.
+inline constexpr unsigned max_boxes_left = max_packet_boxes - 1, max_boxes_left_above = 10;
+static_assert(2 * max_hierarchy_depth + max_boxes_left + 1 <= max_stack_height);
+static_assert(2 * max_hierarchy_depth + max_boxes_left_above + max_upper_levels + 1 <= max_stack_height);
 
 // As that of a single hierarchy. Rays that don't all begin at the same root begin by themselves.
 template <int max_leaves, class Stored, class Visitor>
@@ -25,20 +25,23 @@ __device__ inline bool begin_packet(const PlacedRay<Stored>& seen, PlacedWalk<fl
   const bool begins = has_ray && level.next != no_node;
   if (!__any_sync(all_lanes, begins)) return false;
   const std::uint32_t root = __reduce_max_sync(all_lanes, begins ? level.next : 0);
+  const bool has_levels = node_slots(placed.upper_nodes[root]) != 0; // or the root is an item
   if (__any_sync(all_lanes, begins && (level.next != root || level.height != 0)) ||
-      !are_alike(level.inverse, begins))
+      (has_levels && !are_alike(level.inverse, begins)))
     return begins;
   const unsigned lane = threadIdx.x % lanes_per_warp;
-  constexpr float most = RealTraits<float>::largest;
-  PacketBox item{{-most, -most, -most}, root, {most, most, most}, 0}; // that is entered next
+  PacketBox item; // that is entered next
   std::uint32_t from = root;
   bool is_in = begins; // among the boxes below `from`
-  for (bool is_above = node_slots(placed.upper_nodes[root]) != 0;; is_above = false) {
+  for (bool is_above = has_levels;; is_above = false) {
     if (!is_above) {
-      std::uint32_t entry;
-      const bool is_met = begins && meets(item, walk.origin, level.inverse, visitor.farthest(), entry);
-      if (is_met) level.next = item.node;
-      is_in = is_met && walk.comes_to_node(seen, stack, visitor);
+      if (has_levels) {
+        std::uint32_t entry;
+        is_in = begins && meets(item, walk.origin, level.inverse, visitor.farthest(), entry);
+        if (is_in) level.next = item.node;
+      }
+      HierarchyNode node;
+      is_in = is_in && walk.comes_to_node(seen, stack, visitor, node);
       if (!__any_sync(all_lanes, is_in)) break;
       if (!are_alike(level.inverse, is_in)) {
         if (is_in) return true;
@@ -48,10 +51,13 @@ __device__ inline bool begin_packet(const PlacedRay<Stored>& seen, PlacedWalk<fl
     }
     const float outwards =
         __uint_as_float(__reduce_max_sync(all_lanes, is_in ? __float_as_uint(walk.padding()) : 0));
-    unsigned left = boxes_left<max_leaves, max_boxes_left>(
+    unsigned left = boxes_left<max_leaves>(
         is_above ? placed.upper_nodes : placed.of_meshes.nodes, from,
         PacketBounds(walk.origin, level.inverse, is_in), outwards, visitor, is_in, boxes,
-        [&](std::uint32_t leaf) { walk.show_reference(seen, leaf, visitor); });
+        [&](std::uint32_t leaf) { walk.show_reference(seen, leaf, visitor); },
+        is_above     ? max_boxes_left_above
+        : has_levels ? max_boxes_left - max_boxes_left_above
+                     : max_boxes_left);
     if (is_in) level.next = no_node;
     const std::uint32_t key =
         (left >> lane & 1) != 0 ? (__float_as_uint(boxes[lane].entry) & ~31U) | lane : 0x7fffffffU;

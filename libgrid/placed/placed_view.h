@@ -44,6 +44,13 @@ struct PlacedView {
   bool is_brute_force; // without any hierarchy
 
   MASU_HD std::uint32_t triangle_count() const { return first_triangles[count]; }
+  // What a ray needs to enter the mesh of a placement, whose node of the hierarchies above it is.
+  MASU_HD auto entrance(const HierarchyNode& item) const {
+    if constexpr (std::is_same_v<Stored, float>)
+      return std::bit_cast<ItemNode>(item);
+    else
+      return fetched(placements + item.first_reference);
+  }
   // Of a triangle's number.
   MASU_HD std::uint32_t placement_of(PrimitiveIndex number) const {
     std::uint32_t low = 0, high = count;
@@ -77,7 +84,8 @@ struct PlacedRay {
   const std::uint32_t* object_masks = nullptr;  // of each placement; null: all bits
   std::uint32_t excluded_object = no_primitive; // that its excluded primitive is of
 
-  MASU_HD bool sees(std::uint32_t number, const Placement<Stored>& placement) const {
+  template <class Placed>
+  MASU_HD bool sees(std::uint32_t number, const Placed& placement) const {
     return (placement.mask & mask) != 0 && (object_masks == nullptr || (object_masks[number] & mask) != 0);
   }
 };

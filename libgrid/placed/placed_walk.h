@@ -33,11 +33,11 @@ struct PlacedWalk {
   // As HierarchyWalk's, and the following.
   template <class Stored, class Visitor>
   MASU_HD bool advance(const PlacedRay<Stored>& seen, HierarchyStack& stack, Visitor& visitor) {
-    if (comes_to_node(seen, stack, visitor)) {
-      const HierarchyNode next_node = fetched(node(seen));
-      const MetBoxes met = boxes_met(next_node, origin, walk.inverse, visitor.farthest(), outwards);
+    HierarchyNode node;
+    if (comes_to_node(seen, stack, visitor, node)) {
+      const MetBoxes met = boxes_met(node, origin, walk.inverse, visitor.farthest(), outwards);
       visitor.counts.cell(met.bits == 0);
-      walk.template enter<needs_order<Visitor>>(next_node, met, stack);
+      walk.template enter<needs_order<Visitor>>(node, met, stack);
     }
 #ifdef __CUDA_ARCH__
     const int testing = __popc(__activemask());
@@ -60,17 +60,16 @@ struct PlacedWalk {
     return walk;
   }
   template <class Stored, class Visitor>
-  MASU_HD bool comes_to_node(const PlacedRay<Stored>& seen, HierarchyStack& stack, Visitor& visitor) {
+  MASU_HD bool comes_to_node(const PlacedRay<Stored>& seen, HierarchyStack& stack, Visitor& visitor,
+                             HierarchyNode& node) {
     if (walk.next == no_node) return false;
-    if (placement == none) {
-      const HierarchyNode& node = seen.placed.upper_nodes[walk.next];
-      if (node_slots(node) == 0) visit_item(seen, node.first_reference, stack, visitor);
-    }
-    return walk.next != no_node;
-  }
-  template <class Stored>
-  MASU_HD const HierarchyNode* node(const PlacedRay<Stored>& seen) const {
-    return (placement == none ? seen.placed.upper_nodes : seen.placed.of_meshes.nodes) + walk.next;
+    const HierarchyNode* const of_meshes = seen.placed.of_meshes.nodes;
+    node = fetched((placement == none ? seen.placed.upper_nodes : of_meshes) + walk.next);
+    if (placement != none || node_slots(node) != 0) return true;
+    visit_item(seen, node, stack, visitor);
+    if (walk.next == no_node) return false;
+    node = fetched(of_meshes + walk.next);
+    return true;
   }
   template <class TestRay>
   MASU_HD const Vec3<Real>& origin_of(const TestRay&) const {
@@ -85,12 +84,11 @@ struct PlacedWalk {
   }
   template <class Visitor>
   MASU_HD bool comes_back(HierarchyStack& stack, Visitor& visitor) {
-    while (walk.go_back(stack, visitor.farthest())) {
-      if (!is_mark(walk.references) || walk.next != no_node) return true;
-      if (walk.height == 0) return false; // nothing above it is left
+    return walk.go_back(stack, visitor.farthest(), [&] {
+      if (walk.height == 0) return false; // nothing above the mesh is left
       leave(visitor.ray);
-    }
-    return false;
+      return true;
+    });
   }
 
 private:
@@ -100,18 +98,16 @@ private:
   MASU_HD static HierarchyGroup mark() {
     return {none, 0};
   }
-  MASU_HD static bool is_mark(const HierarchyGroup& group) {
-    return group.bits == 0;
-  }
-
   // Enters a placement, or shows the visitor what stands beside them.
   template <class Stored, class Visitor>
-  MASU_HD void visit_item(const PlacedRay<Stored>& seen, std::uint32_t item, HierarchyStack& stack,
+  MASU_HD void visit_item(const PlacedRay<Stored>& seen, const HierarchyNode& node, HierarchyStack& stack,
                           Visitor& visitor) {
     const PlacedView<Stored>& placed = seen.placed;
+    const std::uint32_t item = node.first_reference;
     walk.next = no_node;
-    if (item >= placed.count) return visitor.primitive(placed.triangle_count() + (item - placed.count));
-    const Placement<Stored> own = fetched(placed.placements + item);
+    if constexpr (Visitor::kinds != with_triangles)
+      if (item >= placed.count) return visitor.primitive(placed.triangle_count() + (item - placed.count));
+    const auto own = placed.entrance(node);
     if (!seen.sees(item, own)) return;
     push(stack, walk.height, mark());
     placement = item;

@@ -29,8 +29,11 @@
 // by the largest of the three.
 #pragma once
 
+#include "libgrid/hierarchy/hierarchy.h"
 #include "libscene/geometry/clip.h"
 #include "libscene/local_origin.h"
+
+#include <bit>
 
 namespace masu {
 
@@ -42,16 +45,51 @@ struct Transform {
 // A transform as it is stored, and what is computed of it once. `world` and `mask`: which rays see it.
 template <class Stored>
 struct alignas(16) Placement {
-  Stored rows[3][4];    // of M, and t, relative to the scene's origin
-  Stored inverse[3][3]; // of M
-  float padding;        // of planes, as above
-  std::uint32_t root;   // of its mesh's nodes
+  Stored rows[3][4]; // of M, and t, relative to the scene's origin
   std::uint32_t first_triangle;
-  std::uint32_t mesh, mask, world, reserved;
+  std::uint32_t root; // of its mesh's nodes
+  float padding;      // of planes, as above
+  std::uint32_t mask;
+  Stored inverse[3][3]; // of M
+  std::uint32_t mesh, world, reserved;
 
   MASU_HD Vec3<Stored> translation() const { return {rows[0][3], rows[1][3], rows[2][3]}; }
 };
 static_assert(sizeof(Placement<float>) == 112 && sizeof(Placement<double>) == 208);
+
+// A node without boxes of the hierarchies above placements (upper_passes.h): an item, a placement or what
+// stands beside them, with what a ray needs to enter a placement's mesh. In float64 there is no room for
+// that.
+struct alignas(16) ItemNode {
+  float shift[3];
+  std::uint32_t no_boxes; // 0
+  std::uint32_t root, item;
+  std::uint32_t no_slots[2]; // 0
+  float inverse[3][3];
+  float padding;
+  std::uint32_t mask, reserved;
+
+  MASU_HD Vec3<float> translation() const { return {shift[0], shift[1], shift[2]}; }
+};
+static_assert(sizeof(ItemNode) == sizeof(HierarchyNode));
+
+template <class Stored>
+MASU_HD inline HierarchyNode item_node(std::uint32_t item, const Placement<Stored>* placement) {
+  ItemNode node{};
+  node.item = item;
+  if constexpr (std::is_same_v<Stored, float>)
+    if (placement != nullptr) {
+      node.root = placement->root;
+      node.padding = placement->padding;
+      node.mask = placement->mask;
+      for (int k = 0; k < 3; ++k) {
+        node.shift[k] = placement->rows[k][3];
+        for (int j = 0; j < 3; ++j)
+          node.inverse[k][j] = placement->inverse[k][j];
+      }
+    }
+  return std::bit_cast<HierarchyNode>(node);
+}
 
 // M v + t: of each coordinate fma(M0, x, fma(M1, y, fma(M2, z, t))).
 template <class Stored>
@@ -83,17 +121,17 @@ MASU_HD inline Triangle<Stored> placed_surface(const Placement<Stored>& placemen
 }
 
 // Of a vector in the world, by the inverse.
-template <class Stored, class Real>
-MASU_HD inline Vec3<Real> carried(const Placement<Stored>& placement, const Vec3<Real>& v) {
-  const auto along = [&](const Stored(&row)[3]) {
+template <class Placed, class Real>
+MASU_HD inline Vec3<Real> carried(const Placed& placement, const Vec3<Real>& v) {
+  const auto along = [&](const auto(&row)[3]) {
     return fma(static_cast<Real>(row[0]), v.x,
                fma(static_cast<Real>(row[1]), v.y, static_cast<Real>(row[2]) * v.z));
   };
   return {along(placement.inverse[0]), along(placement.inverse[1]), along(placement.inverse[2])};
 }
 // Of a point.
-template <class Stored, class Real>
-MASU_HD inline Vec3<Real> carried_point(const Placement<Stored>& placement, const Vec3<Real>& point) {
+template <class Placed, class Real>
+MASU_HD inline Vec3<Real> carried_point(const Placed& placement, const Vec3<Real>& point) {
   return carried(placement, point - cast<Real>(placement.translation()));
 }
 

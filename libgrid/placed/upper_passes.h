@@ -6,8 +6,7 @@
 //             Octrees, and k-d Trees", HPG 2012)
 //   2. boxes  from the items up: a node's by whoever comes to it second; and roots of groups
 //   3. nodes  of eight boxes, level by level: of a binary node what is left when the largest cells of the
-//             curve below it have been divided. An item is a node, too, without boxes, with the item's number
-//             as its first reference.
+//             curve below it have been divided. An item is a node, too, without boxes.
 //
 // The order of nodes depends on the executor; what is in them doesn't.
 #pragma once
@@ -107,7 +106,8 @@ struct UpperArrays {
   }
 
   // Node `i` of a level, and what is in the nodes below it; at the last level the nodes below, too.
-  MASU_HD void write_level(int level, bool is_last, std::uint32_t i) const {
+  template <class Items>
+  MASU_HD void write_level(const Items& made, int level, bool is_last, std::uint32_t i) const {
     if (i >= widths[level]) return;
     std::uint32_t begin = 0;
     for (int above = 0; above < level; ++above)
@@ -116,7 +116,7 @@ struct UpperArrays {
     std::uint32_t pending[max_upper_levels * (boxes_per_node - 1) + 1] = {begin + i};
     for (int height = 1; height > 0;) {
       const std::uint32_t number = pending[--height];
-      const std::uint32_t count = write_node(number, level, begin_below);
+      const std::uint32_t count = write_node(made, number, level, begin_below);
       for (std::uint32_t k = 0; is_last && k < count; ++k)
         pending[height++] = nodes[number].first_node + k;
     }
@@ -141,15 +141,16 @@ private:
     return tree[first].first == first && tree[first].last == end - 1 ? first : end - 1;
   }
   // Returns how many nodes are below it.
-  MASU_HD std::uint32_t write_node(std::uint32_t number, int level, std::uint32_t begin_below) const {
+  template <class Items>
+  MASU_HD std::uint32_t write_node(const Items& made, std::uint32_t number, int level,
+                                   std::uint32_t begin_below) const {
     const std::uint32_t content = contents[number];
     if (content == none) return 0;
-    HierarchyNode node{};
     if (content >= order.count) {
-      node.first_reference = items[content - order.count];
-      nodes[number] = node;
+      nodes[number] = made.node(items[content - order.count]);
       return 0;
     }
+    HierarchyNode node{};
     // What shares the fewest bits is divided first.
     std::uint32_t held[boxes_per_node], count = 0;
     RangeNode ranges[boxes_per_node]; // of an item with more bits than there are
@@ -182,11 +183,11 @@ private:
 };
 
 // Above items in the order of their keys: of their group, and after that in `code_bits` of their place. Items
-// of groups beyond `groups` aren't in any. `box_of(i)`: of item i.
-template <class Executor, class BoxOf>
+// of groups beyond `groups` aren't in any. `made.box(i)` and `made.node(i)`: of item i.
+template <class Executor, class Items>
 std::pair<ArrayOf<Executor, HierarchyNode>, ArrayOf<Executor, std::uint32_t>>
 upper_hierarchies(Executor& executor, const Sorted<Executor, std::uint32_t>& sorted, std::uint32_t groups,
-                  const BoxOf& box_of) {
+                  const Items& made) {
   const auto count = static_cast<std::uint32_t>(sorted.values.size());
   // Levels by all threads; what little is below them is left to those of the last one.
   const int levels = (static_cast<int>(std::bit_width(count)) + 2) / 3 + 1;
@@ -214,7 +215,7 @@ upper_hierarchies(Executor& executor, const Sorted<Executor, std::uint32_t>& sor
   executor.for_each(std::uint64_t{count} + groups, [=] MASU_PASS(std::uint64_t i) {
     const auto item = static_cast<std::uint32_t>(i);
     if (i < count)
-      upper.join_boxes(item, box_of(upper.items[item]));
+      upper.join_boxes(item, made.box(upper.items[item]));
     else
       root[i - count] = upper.add_root(static_cast<std::uint32_t>(i - count));
     for (std::uint64_t level = 0; i == count && level <= static_cast<std::uint64_t>(levels); ++level)
@@ -223,7 +224,7 @@ upper_hierarchies(Executor& executor, const Sorted<Executor, std::uint32_t>& sor
   std::uint64_t most = groups; // nodes of a level: each has items of its own
   for (int level = 0; level < levels; ++level, most = std::min(8 * most, std::uint64_t{count}))
     executor.for_each(most, [=] MASU_PASS(std::uint64_t i) {
-      upper.write_level(level, level + 1 == levels, static_cast<std::uint32_t>(i));
+      upper.write_level(made, level, level + 1 == levels, static_cast<std::uint32_t>(i));
     });
   return {std::move(nodes), std::move(roots)};
 }

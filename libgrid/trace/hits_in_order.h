@@ -112,6 +112,7 @@ private:
 template <class M, class Stored, class Room>
 struct NextHits {
   using Real = typename M::Real;
+  static constexpr unsigned kinds = M::kinds;
   const SceneView<Stored>& scene;
   const typename M::TestRay& ray;
   NoWalkCounts& counts;

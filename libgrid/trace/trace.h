@@ -70,6 +70,7 @@ inline constexpr bool tests_triangles_in_lanes =
 template <class M, class Stored, class Counts, class Stop = Proven>
 struct NearestHit {
   using Real = typename M::Real;
+  static constexpr unsigned kinds = M::kinds;
   const SceneView<Stored>& scene;
   const typename M::TestRay& ray;
   Counts& counts;
@@ -114,6 +115,7 @@ struct NearestHit {
 template <class M, class Stored, class Counts>
 struct AnyHit {
   using Real = typename M::Real;
+  static constexpr unsigned kinds = M::kinds;
   const SceneView<Stored>& scene;
   const typename M::TestRay& ray;
   Counts& counts;

@@ -78,6 +78,8 @@ constexpr bool needs_order = !requires(const Visitor& visitor) {
   visitor.found();
 };
 
+struct NoMarks {};
+
 // A walk under way.
 template <class Real>
 struct HierarchyWalk {
@@ -119,14 +121,19 @@ struct HierarchyWalk {
 
   // Goes back for a node that the ray enters no farther than `farthest`, or for references, where there is no
   // next node; false at the end.
-  // `floor`: of the stack, below which nothing is taken.
-  template <class Limit>
-  MASU_HD bool go_back(HierarchyStack& stack, Limit farthest, int floor = 0) {
+  // `passes_mark`: what to do at an empty group; false at the end.
+  template <class Limit, class PassesMark = NoMarks>
+  MASU_HD bool go_back(HierarchyStack& stack, Limit farthest, const PassesMark& passes_mark = {}) {
     references.bits = 0;
     while (next == no_node) {
-      if (height == floor) return false;
+      if (height == 0) return false;
       HierarchyGroup group = stack[--height];
       if (!group.has_nodes()) {
+        if constexpr (!std::is_same_v<PassesMark, NoMarks>)
+          if (group.bits == 0) {
+            if (!passes_mark()) return false;
+            continue;
+          }
         references = group;
         break;
       }
@@ -179,12 +186,10 @@ struct HierarchyWalk {
     return *this;
   }
   template <class Hierarchy, class Visitor>
-  MASU_HD bool comes_to_node(const Hierarchy&, HierarchyStack&, Visitor&) {
-    return next != no_node;
-  }
-  template <class Hierarchy>
-  MASU_HD const HierarchyNode* node(const Hierarchy& hierarchy) const {
-    return hierarchy.nodes + next;
+  MASU_HD bool comes_to_node(const Hierarchy& hierarchy, HierarchyStack&, Visitor&, HierarchyNode& node) {
+    if (next == no_node) return false;
+    node = fetched(hierarchy.nodes + next);
+    return true;
   }
   template <class TestRay>
   MASU_HD const Vec3<Real>& origin_of(const TestRay& ray) const {

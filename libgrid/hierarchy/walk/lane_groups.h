@@ -107,14 +107,12 @@ __device__ inline bool advance_group(Walk& walk, const Structure& structure, Hie
   constexpr unsigned lanes = 1U << log2;
   const unsigned sub = threadIdx.x % lanes;
   auto& level = walk.level();
-  const bool visits = has_ray && walk.comes_to_node(structure, stack, visitor);
   HierarchyNode node{};
+  const bool visits = has_ray && walk.comes_to_node(structure, stack, visitor, node);
   MetBoxes met;
-  if (visits) {
-    node = fetched(walk.node(structure));
+  if (visits)
     met = boxes_met_by_lane<log2>(node, walk.origin_of(visitor.ray), level.inverse, visitor.farthest(),
                                   walk.padding(), sub);
-  }
   join_lanes<log2, needs_order<Visitor>>(met);
   if (visits) level.template enter<needs_order<Visitor>>(node, met, stack);
   if (!has_ray) level.references.bits = 0;

@@ -94,13 +94,14 @@ __device__ inline bool are_alike(const Vec3<float>& inverse, bool has_ray) {
 
 // Looks from node `root` on into what a packet meets, and shows the visitor the references in the boxes of
 // those with no more than max_leaves such boxes; others are left to the rays: they would be tested by all.
-// Returns which of `boxes` are left, a bit each, no more than max_left. `padding`: how far planes are moved
-// outwards: in placed meshes, where nodes without boxes are items, which are left, too. For all lanes at
-// once, as all functions below.
-template <int max_leaves, int max_left, class Padding, class Visitor, class Show>
+// Returns which of `boxes` are left, a bit each. `padding`: how far planes are moved outwards: in placed
+// meshes, where nodes without boxes are items, which are left, too; and no more than max_left are left there.
+// For all lanes at once, as all functions below.
+template <int max_leaves, class Padding, class Visitor, class Show>
 __device__ inline unsigned boxes_left(const HierarchyNode* nodes, std::uint32_t root, const PacketBounds& all,
                                       const Padding& padding, Visitor& visitor, bool has_ray,
-                                      PacketBoxes& boxes, const Show& show) {
+                                      PacketBoxes& boxes, const Show& show,
+                                      unsigned max_left = max_packet_boxes) {
   constexpr bool may_hold_items = !std::is_same_v<Padding, NoPadding>;
   const unsigned lane = threadIdx.x % lanes_per_warp;
   constexpr float most = RealTraits<float>::largest;
@@ -140,8 +141,8 @@ __device__ inline unsigned boxes_left(const HierarchyNode* nodes, std::uint32_t 
     if (met + more > max_packet_boxes) break;
     const unsigned staying =
         __ballot_sync(all_lanes, lane < count && (stay >> lane * boxes_per_node & 1) != 0) << visited;
-    if (may_hold_items && __popc(left | staying) + static_cast<int>(met + more - visited - count) > max_left)
-      break;
+    if constexpr (may_hold_items)
+      if (static_cast<unsigned>(__popc(left | staying)) + met + more - visited - count > max_left) break;
     left |= staying;
     if ((nodes_met >> lane & 1) != 0) {
       box.node = node_in(node.first_node, node_slots(node), slot);
@@ -204,9 +205,9 @@ __device__ inline bool begin_packet(const Hierarchy& hierarchy, HierarchyWalk<fl
   const Vec3<float> origin = visitor.ray.origin, inverse = walk.inverse;
   if (!are_alike(inverse, has_ray)) return has_ray;
   const PacketBounds all(origin, inverse, has_ray);
-  const unsigned left = boxes_left<max_leaves, max_packet_boxes>(
-      hierarchy.nodes, 0, all, NoPadding{}, visitor, has_ray, boxes,
-      [&](std::uint32_t reference) { show(hierarchy, reference, visitor); });
+  const unsigned left =
+      boxes_left<max_leaves>(hierarchy.nodes, 0, all, NoPadding{}, visitor, has_ray, boxes,
+                             [&](std::uint32_t reference) { show(hierarchy, reference, visitor); });
   walk.next = walk.no_node;
   remember_boxes(left, boxes, origin, walk, stack, visitor, has_ray);
   return has_ray && !visitor.ends() && walk.go_back(stack, visitor.farthest());

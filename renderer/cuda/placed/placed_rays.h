@@ -25,8 +25,8 @@ struct WalksThrough<PlacedList<Stored>> {
   using Walk = PlacedWalk<Real>;
   template <class M>
   static constexpr int packet_threads_wanted = resident_threads_wanted<M> / 8 * 7;
-  // With more of these the code outgrows its cache.
-  static constexpr int last_of_packet = 0, last_fetched = max_rays_by_fours;
+  // By pairs, too, the code outgrows its cache.
+  static constexpr int last_of_packet = max_rays_by_fours, last_fetched = max_rays_by_fours;
 };
 // Of any world: worlds are where a walk begins.
 template <class Stored>
