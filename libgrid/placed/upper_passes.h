@@ -113,7 +113,8 @@ struct UpperArrays {
     for (int above = 0; above < level; ++above)
       begin += widths[above];
     const std::uint32_t begin_below = begin + widths[level];
-    std::uint32_t pending[max_upper_levels * (boxes_per_node - 1) + 1] = {begin + i};
+    std::uint32_t pending[max_upper_levels * (boxes_per_node - 1) + 1];
+    pending[0] = begin + i;
     for (int height = 1; height > 0;) {
       const std::uint32_t number = pending[--height];
       const std::uint32_t count = write_node(made, number, level, begin_below);
@@ -140,6 +141,10 @@ private:
     if (end - first == 1) return order.count + first;
     return tree[first].first == first && tree[first].last == end - 1 ? first : end - 1;
   }
+  static constexpr std::int32_t item_bits = 128; // more than there are
+  MASU_HD RangeNode range_of(std::uint32_t content) const {
+    return content < order.count ? tree[content] : RangeNode{0, 0, 0, item_bits};
+  }
   // Returns how many nodes are below it.
   template <class Items>
   MASU_HD std::uint32_t write_node(const Items& made, std::uint32_t number, int level,
@@ -150,30 +155,38 @@ private:
       nodes[number] = made.node(items[content - order.count]);
       return 0;
     }
-    HierarchyNode node{};
-    // What shares the fewest bits is divided first.
-    std::uint32_t held[boxes_per_node], count = 0;
-    RangeNode ranges[boxes_per_node]; // of an item with more bits than there are
-    const auto hold = [&](std::uint32_t slot, std::uint32_t child) {
-      held[slot] = child;
-      ranges[slot].shared_bits = 128;
-      if (child < order.count) ranges[slot] = tree[child];
-    };
-    hold(count++, content);
+    // What shares the fewest bits is divided first. Loops are as long as a node has slots: unrolled, all of
+    // this is in registers.
+    std::uint32_t held[boxes_per_node] = {content}, count = 1;
+    RangeNode ranges[boxes_per_node] = {range_of(content)};
     while (count < boxes_per_node) {
-      std::uint32_t first = 0;
-      for (std::uint32_t slot = 1; slot < count; ++slot)
-        if (ranges[slot].shared_bits < ranges[first].shared_bits) first = slot;
-      if (held[first] >= order.count) break;
-      const RangeNode divided = ranges[first];
-      hold(first, left(divided));
-      hold(count++, right(divided));
+      RangeNode divided = ranges[0];
+      std::uint32_t from = 0;
+      for (std::uint32_t slot = 1; slot < boxes_per_node; ++slot)
+        if (slot < count && ranges[slot].shared_bits < divided.shared_bits) {
+          divided = ranges[slot];
+          from = slot;
+        }
+      if (divided.shared_bits == item_bits) break;
+      const std::uint32_t children[] = {left(divided), right(divided)};
+      const RangeNode of_children[] = {range_of(children[0]), range_of(children[1])};
+      for (std::uint32_t slot = 0; slot < boxes_per_node; ++slot)
+        if (slot == from || slot == count) {
+          held[slot] = children[slot == from ? 0 : 1];
+          ranges[slot] = of_children[slot == from ? 0 : 1];
+        }
+      ++count;
     }
+    Boxf of_slots[boxes_per_node];
+    for (std::uint32_t slot = 0; slot < boxes_per_node; ++slot)
+      of_slots[slot] = boxes[held[slot < count ? slot : 0]];
+    HierarchyNode node{};
     const NodeUnits units(boxes[content], node);
     node.first_node = begin_below + added(widths[level + 1], count);
     node.exponents |= ((1U << count) - 1) << 24;
-    for (std::uint32_t slot = 0; slot < count; ++slot) {
-      units.add_planes(static_cast<int>(slot), boxes[held[slot]], node);
+    for (std::uint32_t slot = 0; slot < boxes_per_node; ++slot) {
+      if (slot >= count) continue;
+      units.add_planes(static_cast<int>(slot), of_slots[slot], node);
       node.slots[slot / 4] |= (node_slot | slot) << slot % 4 * 8;
       contents[node.first_node + slot] = held[slot];
     }
