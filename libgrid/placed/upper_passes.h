@@ -177,7 +177,7 @@ upper_hierarchies(Executor& executor, const Sorted<Executor, std::uint32_t>& sor
                   const Items& made) {
   const auto count = static_cast<std::uint32_t>(sorted.values.size());
   // Levels by all threads; what little is below them is left to those of the last one.
-  const int levels = (static_cast<int>(std::bit_width(count)) + 2) / 3 + 1;
+  const int levels = (static_cast<int>(std::bit_width(count)) + 2) / 3;
   // Of a binary node's eight boxes all are full, or all are items: so there are fewer than 4/7 nodes an item.
   auto nodes = executor.template array<HierarchyNode>(groups + count + std::uint64_t{count} * 4 / 7 + 1);
   auto roots = executor.template array<std::uint32_t>(groups);

@@ -11,7 +11,6 @@ namespace masu {
 namespace {
 
 constexpr std::size_t rays_per_warp = 32, warps_sampled = 64;
-constexpr std::uint64_t many_rays = std::uint64_t{1} << 22; // measured on an H100
 
 // Warps' worth of neighbours, all over the list: at places i · φ modulo 1, which are as far from each other
 // as can be, and aren't in step with a picture's rows.
@@ -89,28 +88,23 @@ WarpCosts warp_costs(const ResidentTracer& tracer, const RayList& rays, Query qu
   costs.tests /= static_cast<double>(count);
   costs.most_work /= static_cast<double>(warps);
   costs.most_tests /= static_cast<double>(warps);
-  costs.rays = rays.count;
   return costs;
 }
 
 // A warp's threads wait for its longest ray. Where that costs less than fetching rays does, which was
-// measured to take about as long as 2.7 steps and tests (1.5 of long lists through hierarchies, where warps
-// fetch many at a time), nothing is fetched. Nor is it where rays are so alike that few of them wait. But
-// their tests are shared if most threads would wait for those of a few: also where such warps are few, since
-// a sample seldom meets the longest rays, for which alone a launch goes on. Rays that end at any hit are done
-// at different times however alike they are: for these all that counts is how long the others wait, in
-// hierarchies also beside a ray's own length. docs/algorithm.md says how near to the best loop's rate that
-// comes.
-RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy) {
-  constexpr double alike = 2.2;
-  const double fetching = is_hierarchy && costs.rays >= many_rays ? 1.5 : 2.7;
+// measured to take about as long as 2.7 steps and tests, nothing is fetched. Nor is it where rays are so
+// alike that few of them wait. But their tests are shared if most threads would wait for those of a few: also
+// where such warps are few, since a sample seldom meets the longest rays, for which alone a launch goes on.
+// Rays that end at any hit are done at different times however alike they are: for these all that counts is
+// how long the others wait. docs/algorithm.md says how near to the best loop's rate that comes.
+RayLoop automatic_loop(const WarpCosts& costs, Query query) {
+  constexpr double alike = 2.2, fetching = 2.7, is_long = 30;
   const double waiting = costs.most_work - costs.work, more_tests = costs.most_tests - costs.tests;
   const bool any_hit = query == Query::occlusion, wait = waiting >= fetching;
-  const double is_long = is_hierarchy ? std::max(8.0, 0.7 * costs.work) : 30;
   if (wait && (any_hit ? waiting > is_long : costs.most_work > alike * costs.work))
     return RayLoop::warp_refill;
   const bool share = more_tests > std::max(1.2, 0.7 * costs.tests) || (any_hit && wait);
-  return share && !is_hierarchy ? RayLoop::warp : RayLoop::thread_per_ray;
+  return share ? RayLoop::warp : RayLoop::thread_per_ray;
 }
 
 RayLoop UsualLoops::of(const ResidentTracer& tracer, bool coherent) {

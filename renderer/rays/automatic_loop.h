@@ -1,4 +1,5 @@
-// The loop by which a GPU traces a list of rays fastest, found out by tracing a few of them.
+// The loop by which a GPU traces a list of rays fastest: through a hierarchy chosen on the GPU
+// (renderer/cuda/loop_choice.h), through a grid found out by tracing a few of them.
 #pragma once
 
 #include "renderer/tracer/tracer.h"
@@ -12,7 +13,6 @@ namespace masu {
 struct WarpCosts {
   double work = 0, tests = 0;           // of the mean ray
   double most_work = 0, most_tests = 0; // of the warp's longest rays
-  std::uint64_t rays = 0;               // in the list
 };
 
 // Of 2048 rays of a list in host memory, counted where the tracer traces: well below a millisecond on a GPU.
@@ -20,13 +20,14 @@ struct WarpCosts {
 // scene, Error(device).
 WarpCosts warp_costs(const ResidentTracer& tracer, const RayList& rays, Query query, Precision precision);
 
-// The fastest loop for rays of such costs, or one within some per cent of it (docs/performance.md).
-RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy);
+// Through a grid the fastest loop for rays of such costs, or one within some per cent of it
+// (docs/algorithm.md).
+RayLoop automatic_loop(const WarpCosts& costs, Query query);
 
 inline RayLoop automatic_loop(const ResidentTracer& tracer, const RayList& rays, Query query,
                               Precision precision) {
-  return automatic_loop(warp_costs(tracer, rays, query, precision), query,
-                        tracer.structure()->is_hierarchy());
+  if (tracer.structure()->is_hierarchy()) return RayLoop::automatic;
+  return automatic_loop(warp_costs(tracer, rays, query, precision), query);
 }
 
 // The loops through a grid of rays that can't be looked at, because they are in a GPU's memory: that of the

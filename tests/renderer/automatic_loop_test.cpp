@@ -103,46 +103,32 @@ TEST_F(AutomaticLoop, SamplesNothingBeyondTheList) {
 TEST_F(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
   for (int i = 0; i < 1000; ++i) {
     const double work = chance_.power_of_two(-2, 8), tests = work * chance_.uniform(0, 1);
-    const std::uint64_t rays = i % 2 == 0 ? 1'000'000 : 10'000'000;
     for (const Query query : {Query::nearest_hit, Query::occlusion}) {
-      for (const bool is_hierarchy : {false, true}) {
-        const auto loop_of = [&](double longest) {
-          return automatic_loop(WarpCosts{work, tests, longest, tests, rays}, query, is_hierarchy);
-        };
-        EXPECT_EQ(loop_of(work), RayLoop::thread_per_ray); // all rays alike: none waits for another
-        bool refills = false;
-        for (double longest = work; longest < 100 * work + 100; longest *= 1.25) {
-          const RayLoop loop = loop_of(longest);
-          EXPECT_TRUE(loop == RayLoop::warp_refill || !refills) << work << ' ' << longest;
-          refills = refills || loop == RayLoop::warp_refill;
-        }
-        EXPECT_TRUE(refills) << work;
+      const auto loop_of = [&](double longest) {
+        return automatic_loop(WarpCosts{work, tests, longest, tests}, query);
+      };
+      EXPECT_EQ(loop_of(work), RayLoop::thread_per_ray); // all rays alike: none waits for another
+      bool refills = false;
+      for (double longest = work; longest < 100 * work + 100; longest *= 1.25) {
+        const RayLoop loop = loop_of(longest);
+        EXPECT_TRUE(loop == RayLoop::warp_refill || !refills) << work << ' ' << longest;
+        refills = refills || loop == RayLoop::warp_refill;
       }
+      EXPECT_TRUE(refills) << work;
     }
-    // The others wait for the tests of a few: they are shared, where cells have lists.
+    // The others wait for the tests of a few: they are shared.
     const double few = work + 2;
-    const RayLoop shared =
-        automatic_loop(WarpCosts{few + 10, few, 2 * few + 20, 2 * few}, Query::nearest_hit, false);
-    EXPECT_EQ(shared, RayLoop::warp) << work;
+    EXPECT_EQ(automatic_loop(WarpCosts{few + 10, few, 2 * few + 20, 2 * few}, Query::nearest_hit),
+              RayLoop::warp)
+        << work;
   }
-}
-
-TEST_F(AutomaticLoop, RefillsForShortRaysWhereThereAreMany) {
-  const auto loop_of = [](std::uint64_t rays, double longest, bool is_hierarchy) {
-    return automatic_loop(WarpCosts{1, 0.4, longest, 1, rays}, Query::nearest_hit, is_hierarchy);
-  };
-  EXPECT_EQ(loop_of(10'000'000, 3, true), RayLoop::warp_refill);
-  EXPECT_EQ(loop_of(1'000'000, 3, true), RayLoop::thread_per_ray);
-  EXPECT_EQ(loop_of(10'000'000, 2, true), RayLoop::thread_per_ray); // alike
-  EXPECT_EQ(loop_of(10'000'000, 3, false), loop_of(1'000'000, 3, false));
 }
 
 TEST_F(AutomaticLoop, SharesTestsOfAFewAlsoWhereHardlyAnyRayWaits) {
   for (const Query query : {Query::nearest_hit, Query::occlusion}) {
     const WarpCosts some{4.2, 2, 6.1, 3.5}, hardly_any{0.5, 0.1, 1.4, 0.9};
-    EXPECT_EQ(automatic_loop(some, query, false), RayLoop::warp);
-    EXPECT_EQ(automatic_loop(some, query, true), RayLoop::thread_per_ray); // a hierarchy's nodes hold few
-    EXPECT_EQ(automatic_loop(hardly_any, query, false), RayLoop::thread_per_ray);
+    EXPECT_EQ(automatic_loop(some, query), RayLoop::warp);
+    EXPECT_EQ(automatic_loop(hardly_any, query), RayLoop::thread_per_ray);
   }
 }
 

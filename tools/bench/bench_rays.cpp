@@ -180,7 +180,8 @@ void add_options(const CommandLine& command, Settings& settings) {
   add_names(command, "--loop", settings.loops, loop_names(),
             "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
             "tests), warp_refill (warp, and idle threads fetch the next ray), on_device (through a hierarchy "
-            "one of these, by a look at some rays there), or auto (by what a sample of the rays costs)");
+            "one of these, by a look at some rays there), or auto (that, or through a grid by what a sample "
+            "of the rays costs)");
   add_names(command, "--precision", settings.precisions, {"auto", "fast", "robust", "double"},
             "auto, fast, robust, double (see gridrender --help)");
   add_first_cell_hit(command, settings.tracing.stop);
