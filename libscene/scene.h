@@ -93,10 +93,10 @@ inline Triangle<double> widened(const SceneTriangle& t) {
 // Triangles: SceneTriangle records by number, and how many they are.
 template <class Triangles>
 struct SceneOf {
-  Camera camera;
-  Vec3f background;
-  float ambient;   // √n/(2n) for n lights
-  bool has_camera; // false: the file had no `v`, and the camera is the default one
+  Camera camera{};
+  Vec3f background{};
+  float ambient = 0;       // √n/(2n) for n lights
+  bool has_camera = false; // the file had a `v`, else the camera is the default one
   std::vector<Light<double>> lights;
   std::vector<Material> materials;
 

@@ -57,8 +57,8 @@ inline constexpr int hits_per_pass = 16, most_hits_per_pass = 1 << 16;
 // The first `capacity` hits after `last`, in order: few, in registers and a device's local memory.
 template <class Real>
 struct FewHits {
-  int capacity; // up to hits_per_pass
-  SidedHit<Real> last;
+  int capacity = 0; // up to hits_per_pass
+  SidedHit<Real> last{};
   SidedHit<Real> hits[hits_per_pass]{};
   int count = 0;
 
@@ -82,8 +82,8 @@ struct FewHits {
 // the logarithm of their number; in between what is farthest isn't known better.
 template <class Real>
 struct ManyHits {
-  int capacity;
-  SidedHit<Real> last;
+  int capacity = 0;
+  SidedHit<Real> last{};
   std::vector<SidedHit<Real>> hits{};
   int count = 0; // of those sorted
 

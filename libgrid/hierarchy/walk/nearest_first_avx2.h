@@ -138,7 +138,7 @@ private:
     if (end_ - ahead_ > max_nodes_ahead - (boxes_per_node - 1)) [[unlikely]]
       end_ = ahead_;
     NodeAhead* const begin = end_;
-    while (slots != 0) {
+    while (slots != 0) { // NOLINT(bugprone-infinite-loop): take() clears a bit
       const NodeAhead other = take(), farther = std::max(nearest, other);
       nearest = std::min(nearest, other);
       NodeAhead* at = end_++;
