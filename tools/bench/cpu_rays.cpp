@@ -14,10 +14,8 @@
 
 #include <tbb/parallel_for.h>
 
-#include <array>
 #include <deque>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
