@@ -337,28 +337,17 @@ inline void expect_same(const PlacedFound& a, const PlacedFound& b) {
   EXPECT_EQ(a.closest_object, b.closest_object);
 }
 
-// Near ones, tiny, far from zero, stretched, of all scales, in float64, beside spheres, many, and large.
 inline std::vector<PlacedKind> placed_kinds() {
-  std::vector<PlacedKind> kinds(10);
-  kinds[1].least_scale = 1e-3;
-  kinds[1].most_scale = 1e3;
-  kinds[2].extent = 1e7;
-  kinds[2].most_scale = 1e6;
-  kinds[3].center = 1e7;
-  kinds[4].stretch = 1e4;
-  kinds[4].extent = 100;
-  kinds[5].stretch = 1e-4;
-  kinds[6].store = MASU_STORE_FLOAT64;
-  kinds[6].stretch = 1e4;
-  kinds[7].are_quadrics_beside = true;
-  kinds[7].extent = 3;
-  kinds[8].placements = 700;
-  kinds[8].triangles = 12;
-  kinds[8].least_scale = 1;
-  kinds[9].placements = 8; // of hierarchies with several levels
-  kinds[9].triangles = 3000;
-  kinds[9].stretch = 100;
-  return kinds;
+  return {{},
+          {.least_scale = 1e-3, .most_scale = 1e3},
+          {.extent = 1e7, .most_scale = 1e6},
+          {.center = 1e7},
+          {.extent = 100, .stretch = 1e4},
+          {.stretch = 1e-4},
+          {.stretch = 1e4, .store = MASU_STORE_FLOAT64},
+          {.extent = 3, .are_quadrics_beside = true},
+          {.least_scale = 1, .placements = 700, .triangles = 12},
+          {.stretch = 100, .placements = 8, .triangles = 3000}}; // of hierarchies with several levels
 }
 
 } // namespace masu
