@@ -47,6 +47,13 @@ inline void require(const void* pointer, const char* place) {
   if (pointer == nullptr) fail(place, "is a null pointer");
 }
 
+// `count` groups of numbers of which one array is given, or neither where there are none.
+inline void require_numbers(const float* floats, const double* doubles, std::size_t count,
+                            const char* place) {
+  if (count > 0 && floats == nullptr) require(doubles, place);
+  if (floats != nullptr && doubles != nullptr) fail(place, "are given twice: as float and as double");
+}
+
 inline void require_range(double value, double low, double high, const char* place) {
   if (!(value >= low && value <= high)) fail(place, fmt::format("{} isn't from {} to {}", value, low, high));
 }

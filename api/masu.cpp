@@ -268,35 +268,30 @@ masu_status trace_to(Number* RayResults::*array, Number* given, const char* name
   });
 }
 
+// The array, if there is one: aligned, and written, where the program's stream still writes in a GPU's
+// memory.
+template <class Number>
+const Number* ready(const Number* numbers, void* stream, const char* place) {
+  if (numbers == nullptr) return nullptr;
+  if (reinterpret_cast<std::uintptr_t>(numbers) % sizeof(Number) != 0)
+    fail(place, "aren't aligned as their numbers must be");
+  if (const int device = device_of(numbers); device != host_memory) wait_for_stream(stream, device);
+  return numbers;
+}
+
 Vertices vertices_of(const masu_vertices& given, const SceneVertices& scene) {
   if (scene.count == 0) fail("scene", "has no triangles, which alone can be moved");
-  if (given.values == nullptr) require(given.values64, "vertices");
-  if (given.values != nullptr && given.values64 != nullptr)
-    fail("vertices", "are given twice: as float and as double");
+  require_numbers(given.values, given.values64, scene.count, "vertices");
   if (given.count != scene.count)
     fail("vertices", fmt::format("are {}, the scene was made of {}", given.count, scene.count));
-  const Vertices vertices{given.values, given.values64, given.count, scene.indices};
-  const std::size_t number = given.values != nullptr ? sizeof(float) : sizeof(double);
-  if (reinterpret_cast<std::uintptr_t>(vertices.numbers()) % number != 0)
-    fail("vertices", "aren't aligned as their numbers must be");
-  if (const int place = device_of(vertices.numbers()); place != host_memory)
-    wait_for_stream(given.stream, place);
-  return vertices;
+  return {ready(given.values, given.stream, "vertices"), ready(given.values64, given.stream, "vertices"),
+          given.count, scene.indices};
 }
 
 PlacementMoves moves_of(const masu_transforms& given) {
-  if (given.count > 0 && given.values == nullptr) require(given.values64, "transforms");
-  if (given.values != nullptr && given.values64 != nullptr)
-    fail("transforms", "are given twice: as float and as double");
-  const PlacementMoves moves{given.values, given.values64, given.count, given.indices, given.square != 0};
-  const std::size_t number = given.values != nullptr ? sizeof(float) : sizeof(double);
-  if (reinterpret_cast<std::uintptr_t>(moves.numbers()) % number != 0 ||
-      reinterpret_cast<std::uintptr_t>(moves.indices) % sizeof(std::uint32_t) != 0)
-    fail("transforms", "aren't aligned as their numbers must be");
-  for (const void* const array : {moves.numbers(), static_cast<const void*>(moves.indices)})
-    if (const int place = array != nullptr ? device_of(array) : host_memory; place != host_memory)
-      wait_for_stream(given.stream, place);
-  return moves;
+  require_numbers(given.values, given.values64, given.count, "transforms");
+  return {ready(given.values, given.stream, "transforms"), ready(given.values64, given.stream, "transforms"),
+          given.count, ready(given.indices, given.stream, "transforms"), given.square != 0};
 }
 
 // Refitted where the tracer traces; where that can't be, built anew in host memory.

@@ -22,12 +22,6 @@ namespace {
 
 using namespace masu;
 
-// `count` groups of numbers of which one array is given, or neither where there are none.
-void require_numbers(const float* floats, const double* doubles, std::size_t count, const char* place) {
-  if (count > 0 && floats == nullptr) require(doubles, place);
-  if (floats != nullptr && doubles != nullptr) fail(place, "are given twice: as float and as double");
-}
-
 template <class Number>
 Vec3d vector_at(const Number* numbers) {
   return {static_cast<double>(numbers[0]), static_cast<double>(numbers[1]), static_cast<double>(numbers[2])};

@@ -2,7 +2,6 @@
 #include <masu/masu.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace {

@@ -8,24 +8,18 @@
 
 namespace masu {
 
-template <class Stored>
-void write_grid_of(const SceneFile& scene, const std::string& division, const StructureOptions& options,
-                   const std::string& path, Overlap overlap = Overlap::exact) {
-  const SceneView<Stored> view = scene.view<Stored>();
-  const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
-                                                     parse_division(division), division_statistics(view));
-  write_structure(build_structure(view, layout, overlap, options),
-                  {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight, overlap,
-                   division, ""},
-                  path);
-}
-
 // Throws Error when the space can't be divided.
 inline void write_grid_of(const SceneFile& scene, const std::string& division,
                           const StructureOptions& options, const std::string& path,
                           Overlap overlap = Overlap::exact) {
-  scene.is_float64() ? write_grid_of<double>(scene, division, options, path, overlap)
-                     : write_grid_of<float>(scene, division, options, path, overlap);
+  scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
+                                                       parse_division(division), division_statistics(view));
+    write_structure(build_structure(view, layout, overlap, options),
+                    {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
+                     overlap, division, ""},
+                    path);
+  });
 }
 
 } // namespace masu

@@ -2,7 +2,6 @@
 // and primitives, from faces, from far away.
 #pragma once
 
-#include "libgrid/grid/merge.h"
 #include "libscene/geometry/ray.h"
 #include "stability/same_bits.h"
 #include "stability/test_scene.h"

@@ -1,20 +1,16 @@
-// The base of tests with random numbers. What fails says how to repeat it.
+// The base of tests with random scenes.
 #pragma once
 
 #include "stability/test_scene.h"
+#include "tests/seeded_test.h"
 
-#include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 namespace masu {
 
-class RandomTest : public testing::Test {
+class RandomTest : public SeededTest {
 protected:
-  const RandomSeed seed_;
   Chance chance_{seed_};
-
-private:
-  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
 };
 
 // Of tests for either store, and so for either arithmetic.

@@ -62,18 +62,12 @@ void check(const Settings& settings, const Ranks& ranks) {
     if (settings.output.empty()) fail("--channels", "needs -o, which names the channels' files too");
     if (is_standard_output(settings.output))
       fail("--channels", "needs a file name for -o, which names the channels' files too");
-  } else if (settings.no_picture || settings.all_rays || settings.channel_high > 0) {
-    fail(settings.no_picture ? "--no-picture"
-         : settings.all_rays ? "--all-rays"
-                             : "--channel-high",
-         "is for --channels");
   }
   if (settings.output.empty() && !wants_picture(settings)) fail("-o", "is missing: nothing would be written");
   if (settings.tracing.resume && (settings.output.empty() || settings.no_picture) && settings.hits.empty())
     fail("--resume", "needs a picture or --hits: nothing else is kept");
   check_hits_name("--hits", settings.hits);
   if (!settings.output.empty()) static_cast<void>(format_of(settings));
-  if (settings.quality && !writes_jpeg(settings)) fail("--quality", "is for pictures in JPEG");
   if (writes_jpeg(settings) && !has_libjpeg())
     fail("--format", "JPEG needs libjpeg-turbo, which wasn't found at build: write a PNG");
   if (ranks.count() > 1 && settings.views == "-") fail("--views", "must name a file, for several ranks");
@@ -198,7 +192,11 @@ void refuse_useless(const CommandLine& command, const Settings& settings) {
       {{"--hit-name", settings.hits.empty(), "is for --hits"},
        {"--format", !has_picture, "is for a picture: give -o"},
        {"--srgb", !has_picture || format_of(settings) == ImageFormat::pfm, "is for pictures in PNG or JPEG"},
+       {"--quality", !writes_jpeg(settings), "is for pictures in JPEG"},
+       {"--no-picture", channels.empty(), "is for --channels"},
+       {"--all-rays", channels.empty(), "is for --channels"},
        {"--channel-format", channels.empty(), "is for --channels"},
+       {"--channel-high", channels.empty(), "is for --channels"},
        {"--channel-high", !channels.empty() && !has_costs, "is for the channels cells and tests"}});
 }
 

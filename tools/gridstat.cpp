@@ -80,9 +80,7 @@ void inspect(const Settings& settings) {
 
 // Counted as in the 2012 thesis: within the objects' bounds, without a margin.
 template <class Stored>
-void print_occupancy(const Settings& settings, const SceneFile& file) {
-  const SceneView<Stored> scene = file.view<Stored>();
-  Boxd space = file.bounds();
+void print_occupancy(const Settings& settings, const SceneView<Stored>& scene, Boxd space) {
   if (is_empty(space))
     throw Error(ErrorCode::input, settings.occupancy, "holds no object: there is nothing to divide");
   if (settings.space == SpaceRule::cube) {
@@ -230,8 +228,7 @@ void run(const Settings& settings) {
   check_files({settings.grid, settings.outline, settings.occupancy}, {settings.picture, settings.cells});
   if (!settings.occupancy.empty()) {
     const SceneFile scene(settings.occupancy);
-    return scene.is_float64() ? print_occupancy<double>(settings, scene)
-                              : print_occupancy<float>(settings, scene);
+    return scene.with_view([&](const auto& view) { print_occupancy(settings, view, scene.bounds()); });
   }
   if (settings.grid.empty()) throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file");
   inspect(settings);

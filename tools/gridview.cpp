@@ -2,9 +2,7 @@
 #include "tools/common/backend.h"
 #include "tools/common/cli.h"
 #include "tools/common/number_list.h"
-#include "tools/common/printable.h"
 #include "tools/common/progress.h"
-#include "tools/common/provenance.h"
 #include "tools/view/answers.h"
 #include "tools/view/export.h"
 

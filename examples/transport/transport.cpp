@@ -5,7 +5,6 @@
 
 #include <masu/masu.hpp>
 
-#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 

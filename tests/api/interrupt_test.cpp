@@ -1,7 +1,6 @@
 // Calls of the C interface that their program ends: go_on() of masu.h.
-#include "libscene/geometry/vector.h"
-#include "stability/random_seed.h"
 #include "tests/api/found.h"
+#include "tests/seeded_test.h"
 
 #include <masu/masu.hpp>
 
@@ -9,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <random>
 #include <thread>
 #include <vector>
@@ -45,7 +43,7 @@ void expect_ended(masu_status status, const Calls& calls) {
   EXPECT_TRUE(calls.are_right);
 }
 
-class Interrupt : public testing::Test {
+class Interrupt : public masu::SeededTest {
 protected:
   float coordinate() { return std::uniform_real_distribution<float>(-1, 1)(engine_); }
 
@@ -79,11 +77,7 @@ protected:
     return rays;
   }
 
-  const masu::RandomSeed seed_;
   std::mt19937_64 engine_ = seed_.engine();
-
-private:
-  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
 };
 
 // They would take minutes, or an hour.

@@ -1,6 +1,6 @@
 // The C interface with memory of a GPU: the CPU's bits, on any stream, by threads at the same time.
-#include "stability/random_seed.h"
 #include "tests/api/found.h"
+#include "tests/seeded_test.h"
 #include "tests/temporary_folder.h"
 
 #include <masu/masu.hpp>
@@ -14,12 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -51,7 +49,7 @@ private:
   T* data_ = nullptr;
 };
 
-class LibraryOnGpu : public testing::Test {
+class LibraryOnGpu : public masu::SeededTest {
 protected:
   void SetUp() override {
     int count = 0;
@@ -116,8 +114,6 @@ protected:
     return copy;
   }
 
-  const masu::RandomSeed seed_;
-  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
   std::mt19937_64 engine_{seed_.value()};
   float center_[3]{};
   std::optional<masu::Scene> scene_;

@@ -1,8 +1,8 @@
 // The C interface, and that of C++ over it: right answers on the CPU, and an error for whatever is wrong,
 // never a fault.
 #include "libscene/geometry/vector.h"
-#include "stability/random_seed.h"
 #include "tests/api/found.h"
+#include "tests/seeded_test.h"
 #include "tests/temporary_folder.h"
 
 #include <masu/masu.hpp>
@@ -92,7 +92,7 @@ masu::Tracer brute_force(const masu::Scene& scene) {
   return {scene, nullptr, {}, true};
 }
 
-class Library : public testing::Test {
+class Library : public masu::SeededTest {
 protected:
   std::string file(const char* name) const { return folder_.file(name); }
 
@@ -113,11 +113,7 @@ protected:
   std::optional<masu::Scene> scene_;
   std::optional<masu::Grid> grid_;
   const masu::TemporaryFolder folder_;
-  const masu::RandomSeed seed_;
   std::mt19937_64 engine_ = seed_.engine();
-
-private:
-  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
 };
 
 TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {

@@ -1,6 +1,6 @@
 // Placed meshes on a GPU: the CPU's bits, of rays and transforms in either memory.
-#include "stability/random_seed.h"
 #include "tests/api/placed_scene.h"
+#include "tests/seeded_test.h"
 
 #include <cuda_runtime.h>
 
@@ -8,17 +8,13 @@ namespace {
 
 using namespace masu;
 
-class PlacedOnGpu : public testing::Test {
+class PlacedOnGpu : public SeededTest {
 protected:
   void SetUp() override {
     if (gpu_count() == 0) GTEST_SKIP() << "there is no GPU";
   }
 
-  const RandomSeed seed_;
   std::mt19937_64 engine_ = seed_.engine();
-
-private:
-  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
 };
 
 // A copy in device memory.

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
-#include <span>
 #include <vector>
 
 namespace masu {
@@ -243,8 +242,7 @@ private:
 };
 
 // All that queries find, in the written-out scene's numbers where these are given; by rays and places moved
-// by
-// -`by`, and moved back.
+// by -`by`, and moved back.
 struct PlacedFound {
   std::vector<float> t, uv, normal, shading;
   std::vector<double> t64, position, row_position, distance, points;
@@ -266,60 +264,40 @@ inline PlacedFound found_by(const Tracer& tracer, std::vector<masu_ray64> rays,
   for (auto& place : places)
     for (double& c : place)
       c -= by;
+  const auto room = [](auto& values, std::size_t count) {
+    values.resize(count);
+    return values.data();
+  };
   PlacedFound found;
-  found.t.resize(n);
-  found.uv.resize(2 * n);
-  found.normal.resize(3 * n);
-  found.shading.resize(3 * n);
-  found.position.resize(3 * n);
-  found.primitive.resize(n);
-  found.object.resize(n);
-  found.occluded.resize(n);
-  auto hits = sized<masu_hits>();
-  hits.t = found.t.data();
-  hits.uv = found.uv.data();
-  hits.normal = found.normal.data();
-  hits.shading = found.shading.data();
-  hits.position = found.position.data();
-  hits.primitive = found.primitive.data();
-  hits.object = found.object.data();
+  auto hits = sized<masu_hits>(), sided = hits, rows = hits, closest = hits;
+  hits.t = room(found.t, n);
+  hits.uv = room(found.uv, 2 * n);
+  hits.normal = room(found.normal, 3 * n);
+  hits.shading = room(found.shading, 3 * n);
+  hits.position = room(found.position, 3 * n);
+  hits.primitive = room(found.primitive, n);
+  hits.object = room(found.object, n);
   tracer.nearest(rays.data(), n, hits, options);
-  tracer.occluded(rays.data(), n, found.occluded.data(), options);
-  found.t64.resize(n);
-  found.front.resize(n);
-  auto sided = sized<masu_hits>();
-  sided.t64 = found.t64.data();
-  sided.front = found.front.data();
+  tracer.occluded(rays.data(), n, room(found.occluded, n), options);
+  sided.t64 = room(found.t64, n);
+  sided.front = room(found.front, n);
   tracer.nearest(rays.data(), n, sided, options);
-  found.rows.resize(row_limit * n);
-  found.row_position.resize(3 * row_limit * n);
-  found.row_primitive.resize(row_limit * n);
-  found.row_front.resize(row_limit * n);
-  std::vector<std::uint32_t> row_object(row_limit * n), row_counts(n);
-  auto rows = sized<masu_hits>();
-  rows.t64 = found.rows.data();
-  rows.position = found.row_position.data();
-  rows.primitive = found.row_primitive.data();
-  rows.object = row_object.data();
-  rows.front = found.row_front.data();
+  std::vector<std::uint32_t> row_object, row_counts(n);
+  rows.t64 = room(found.rows, row_limit * n);
+  rows.position = room(found.row_position, 3 * row_limit * n);
+  rows.primitive = room(found.row_primitive, row_limit * n);
+  rows.object = room(row_object, row_limit * n);
+  rows.front = room(found.row_front, row_limit * n);
   tracer.all_hits(rays.data(), n, row_limit, rows, row_counts.data(), options);
-  found.counts.resize(n);
-  tracer.count_hits(rays.data(), n, found.counts.data(), options);
+  tracer.count_hits(rays.data(), n, room(found.counts, n), options);
   for (std::size_t i = 0; i < n; ++i)
     EXPECT_EQ(row_counts[i], std::min(found.counts[i], row_limit));
-  found.inside.resize(n);
-  tracer.inside(rays.data(), n, found.inside.data(), options);
-  const std::size_t m = places.size();
-  if (m > 0) {
-    found.distance.resize(m);
-    found.points.resize(3 * m);
-    found.closest.resize(m);
-    found.closest_object.resize(m);
-    auto closest = sized<masu_hits>();
-    closest.t64 = found.distance.data();
-    closest.primitive = found.closest.data();
-    closest.object = found.closest_object.data();
-    tracer.closest(places.data(), m, closest, found.points.data(), options);
+  tracer.inside(rays.data(), n, room(found.inside, n), options);
+  if (const std::size_t m = places.size(); m > 0) {
+    closest.t64 = room(found.distance, m);
+    closest.primitive = room(found.closest, m);
+    closest.object = room(found.closest_object, m);
+    tracer.closest(places.data(), m, closest, room(found.points, 3 * m), options);
   }
   if (numbers_of != nullptr) {
     const auto renumber = [&](auto& primitives, const auto& objects) {
@@ -359,28 +337,17 @@ inline void expect_same(const PlacedFound& a, const PlacedFound& b) {
   EXPECT_EQ(a.closest_object, b.closest_object);
 }
 
-// Near ones, tiny, far from zero, stretched, of all scales, in float64, beside spheres, many, and large.
 inline std::vector<PlacedKind> placed_kinds() {
-  std::vector<PlacedKind> kinds(10);
-  kinds[1].least_scale = 1e-3;
-  kinds[1].most_scale = 1e3;
-  kinds[2].extent = 1e7;
-  kinds[2].most_scale = 1e6;
-  kinds[3].center = 1e7;
-  kinds[4].stretch = 1e4;
-  kinds[4].extent = 100;
-  kinds[5].stretch = 1e-4;
-  kinds[6].store = MASU_STORE_FLOAT64;
-  kinds[6].stretch = 1e4;
-  kinds[7].are_quadrics_beside = true;
-  kinds[7].extent = 3;
-  kinds[8].placements = 700;
-  kinds[8].triangles = 12;
-  kinds[8].least_scale = 1;
-  kinds[9].placements = 8; // of hierarchies with several levels
-  kinds[9].triangles = 3000;
-  kinds[9].stretch = 100;
-  return kinds;
+  return {{},
+          {.least_scale = 1e-3, .most_scale = 1e3},
+          {.extent = 1e7, .most_scale = 1e6},
+          {.center = 1e7},
+          {.extent = 100, .stretch = 1e4},
+          {.stretch = 1e-4},
+          {.stretch = 1e4, .store = MASU_STORE_FLOAT64},
+          {.extent = 3, .are_quadrics_beside = true},
+          {.least_scale = 1, .placements = 700, .triangles = 12},
+          {.stretch = 100, .placements = 8, .triangles = 3000}}; // of hierarchies with several levels
 }
 
 } // namespace masu

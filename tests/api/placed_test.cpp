@@ -1,20 +1,16 @@
 // Placed meshes answer as the scene of their vertices written out, to the bit, through any structure.
-#include "stability/random_seed.h"
 #include "tests/api/placed_scene.h"
+#include "tests/seeded_test.h"
 
 namespace {
 
 using namespace masu;
 
-class Placed : public testing::Test {
+class Placed : public SeededTest {
 protected:
   static Tracer brute_force(const Scene& scene) { return {scene, nullptr, {}, true}; }
 
-  const RandomSeed seed_;
   std::mt19937_64 engine_ = seed_.engine();
-
-private:
-  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
 };
 
 const auto ray_count = static_cast<std::size_t>(cases(400)), few_rays = std::min(ray_count, std::size_t{400}),

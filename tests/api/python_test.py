@@ -65,6 +65,18 @@ class WithFolder(unittest.TestCase):
         self.assertEqual(raised.exception.status, status)
         self.assertIn(says, str(raised.exception))
 
+    def assert_freed(self, make):
+        """That of what make(scene) makes of scenes nothing stays in memory."""
+        def used():
+            return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+        mesh = random_mesh(self.random, 20000)  # a megabyte
+        for i in range(40):
+            make(masu.Scene(*mesh))
+            if i == 10:
+                before = used()
+        self.assertLess(used(), before + 2e7)
+
     def tracer(self):
         tracer = masu.Tracer(self.made, self.grid)
         self.addCleanup(tracer.close)
@@ -317,9 +329,8 @@ class Queries(WithFolder):
             self.assert_refused(masu.Status.USAGE, "spheres", tracer.winding_numbers, points)
 
     def test_results_depend_neither_on_the_grid_nor_on_coherence(self):
-        self.scene()
-        rays = random_rays(self.random, 2000)
-        expected = self.tracer().nearest(rays, fields=masu.FIELDS)
+        tracer, rays = self.tracer_and_rays(2000)
+        expected = tracer.nearest(rays, fields=masu.FIELDS)
         with masu.Tracer(self.made, brute_force=True) as tracer:
             self.assertIsNone(tracer.grid)
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
@@ -334,17 +345,14 @@ class Queries(WithFolder):
             same_bits(self, self.tracer().nearest(rays, fields=masu.FIELDS, coherent=True, threads=1), expected)
 
     def test_without_a_grid_what_answers_soonest_is_built(self):
-        self.scene()
-        rays = random_rays(self.random, 500)
+        of_grid, rays = self.tracer_and_rays(500)
         with masu.Tracer(self.made) as tracer:
             self.assertEqual(tracer.grid.describe(), self.made.build(structure="bvh", quality="fast").describe())
-            same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), self.tracer().nearest(rays, fields=masu.FIELDS))
+            same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), of_grid.nearest(rays, fields=masu.FIELDS))
         self.assertRaises(TypeError, masu.Tracer, self.made, self.grid, brute_force=True)
 
     def test_occlusion_is_a_nearest_hit_before_tmax(self):
-        self.scene()
-        tracer = self.tracer()
-        short = random_rays(self.random, 5000)
+        tracer, short = self.tracer_and_rays(5000)
         t = tracer.nearest(short)["t_hit"]
         occluded = tracer.occluded(short)
         self.assertEqual(occluded.dtype, bool)
@@ -670,8 +678,7 @@ class Tracers(WithFolder):
         self.assertTrue(np.isfinite(tracer.nearest(rays)["t_hit"]).shape == (5,))
 
     def test_arrays_of_others_in_host_memory_are_read(self):
-        self.scene(50)
-        rays = random_rays(self.random, 20)
+        tracer, rays = self.tracer_and_rays(20, 50)
 
         class Other:
             def __dlpack_device__(self):
@@ -683,9 +690,9 @@ class Tracers(WithFolder):
         class Interface:
             __array_interface__ = rays.__array_interface__
 
-        expected = self.tracer().nearest(rays)
-        same_bits(self, self.tracer().nearest(Other()), expected)
-        same_bits(self, self.tracer().nearest(Interface()), expected)
+        expected = tracer.nearest(rays)
+        same_bits(self, tracer.nearest(Other()), expected)
+        same_bits(self, tracer.nearest(Interface()), expected)
 
     def test_devices(self):
         self.scene(10)
@@ -698,9 +705,8 @@ class Tracers(WithFolder):
             self.assert_refused(masu.Status.DEVICE, "", masu.Tracer, self.made, self.grid, device=device)
 
     def test_a_closed_tracer_is_refused(self):
-        self.scene(10)
-        rays = random_rays(self.random, 5)
-        with self.tracer() as tracer:
+        tracer, rays = self.tracer_and_rays(5, 10)
+        with tracer:
             tracer.nearest(rays)
         tracer.close()
         self.made.close()
@@ -719,25 +725,15 @@ class Tracers(WithFolder):
         same_bits(self, tracer.nearest(rays), expected)
 
     def test_a_tracer_lives_as_long_as_its_query(self):
-        self.scene(100)
-        rays = random_rays(self.random, 50)
-        expected = self.tracer().nearest(rays)
+        tracer, rays = self.tracer_and_rays(50, 100)
+        expected = tracer.nearest(rays)
         nearest = masu.Tracer(self.made).nearest
         gc.collect()
         same_bits(self, nearest(rays), expected)
         self.assertTrue(callable(nearest))
 
     def test_what_nobody_holds_is_freed(self):
-        def used():
-            return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-
-        vertices, faces = random_mesh(self.random, 20000)  # a megabyte
-        for _ in range(40):
-            scene = masu.Scene(vertices, faces)
-            masu.Tracer(scene, scene.build(merge="none", division=8))
-            if _ == 10:
-                before = used()
-        self.assertLess(used(), before + 2e7)
+        self.assert_freed(lambda scene: masu.Tracer(scene, scene.build(merge="none", division=8)))
 
     def test_threads_use_one_tracer(self):
         self.scene()
@@ -847,18 +843,11 @@ class Placed(unittest.TestCase):
     def test_is_in_memory_alone(self):
         scene = self.placed(spheres=[[0, 0, 0, 1]])
         self.assertEqual(scene.describe().objects, 4)
-        with self.assertRaisesRegex(masu.Error, "scene: is of placed meshes"):
-            scene.write("never")
-        with self.assertRaisesRegex(masu.Error, "scene: is of placed meshes"):
-            scene.build()
-        with self.assertRaisesRegex(masu.Error, "scene: is of placed meshes"):
-            scene.check()
-        with self.assertRaisesRegex(masu.Error, "the scene has placements"):
-            masu.Tracer(scene).winding_numbers([[0, 0, 0]])
-        with self.assertRaises(TypeError):
-            copy.deepcopy(masu.Tracer(scene))
-        with self.assertRaises(ValueError):
-            masu.Scene(meshes=self.meshes, placements=[(2, self.moves[0])])
+        for use in (lambda: scene.write("never"), scene.build, scene.check):
+            self.assertRaisesRegex(masu.Error, "scene: is of placed meshes", use)
+        self.assertRaisesRegex(masu.Error, "the scene has placements", masu.Tracer(scene).winding_numbers, [[0, 0, 0]])
+        self.assertRaises(TypeError, copy.deepcopy, masu.Tracer(scene))
+        self.assertRaises(ValueError, masu.Scene, meshes=self.meshes, placements=[(2, self.moves[0])])
 
 
 class Copies(WithFolder):
@@ -890,17 +879,11 @@ class Copies(WithFolder):
                 self.assertRaises(ValueError, use, one)
 
     def test_what_copies_hold_is_freed_with_the_last_of_them(self):
-        def used():
-            return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-
-        vertices, faces = random_mesh(self.random, 20000)  # a megabyte
-        for _ in range(40):
-            scene = masu.Scene(vertices, faces)
+        def make(scene):
             copies = [copy.copy(scene), copy.deepcopy(copy.copy(scene)), pickle.loads(pickle.dumps(scene))]
             copies[1].close()
-            if _ == 10:
-                before = used()
-        self.assertLess(used(), before + 2e7)
+
+        self.assert_freed(make)
 
     def test_pickles_go_through_the_bytes_of_files(self):
         scene, grid, tracer = self.all_three()
@@ -1079,12 +1062,7 @@ class OtherNames(WithFolder):
 
     def test_a_ray_mesh_intersector_has_the_hits_of_the_tracer(self):
         vertices, faces = random_mesh(self.random, 100)
-
-        class Trimesh:
-            pass
-
-        mesh = Trimesh()
-        mesh.vertices, mesh.faces = vertices.astype(np.float64), faces.astype(np.int64)
+        mesh = Attributes(vertices=vertices.astype(np.float64), faces=faces.astype(np.int64))
         intersector = masu.RayMeshIntersector(mesh)
         rays = random_rays(self.random, 400)
         origins, directions = rays[:, :3], rays[:, 3:]

@@ -5,7 +5,6 @@
 
 #include <masu/masu.h>
 
-#include <cstring>
 #include <optional>
 #include <utility>
 

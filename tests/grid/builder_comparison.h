@@ -7,8 +7,6 @@
 #include "tests/random_test.h"
 #include "tests/same_grid.h"
 
-#include <memory>
-
 namespace masu {
 
 // Builder: a type Stored, of the scene's numbers; make(scene), a StructureBuilder; missing(), why there is

@@ -1,6 +1,5 @@
 // Hierarchies with correct hashes and invalid contents are refused with an error; none leads traversal out of
 // its arrays or into an endless loop.
-#include "libgrid/hierarchy/hierarchy_builder.h"
 #include "tests/random_test.h"
 #include "tests/unchecked_grid.h"
 

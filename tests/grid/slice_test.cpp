@@ -3,7 +3,6 @@
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/statistics/boxes.h"
 #include "libgrid/statistics/slice.h"
-#include "libgrid/statistics/statistics.h"
 #include "libscene/base/error.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"

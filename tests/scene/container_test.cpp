@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <iterator>

@@ -3,12 +3,11 @@
 // triangles are of.
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libscene/mesh/indexed_mesh.h"
-#include "libscene/mesh/triangulate.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
-#include "tests/refused.h"
 #include "tests/rendering.h"
+#include "tests/same_grid.h"
 #include "tests/scene_builder.h"
 #include "tests/tiny_scene.h"
 
@@ -80,10 +79,7 @@ TYPED_TEST(Points, AreInNoGridWhichIsAsWithoutThem) {
       const Structure with = grid_of(more.view(), kind, layout, overlap);
       for (PrimitiveIndex& reference : without.references)
         reference = numbers.at(reference & ~last_bit) | (reference & last_bit);
-      EXPECT_TRUE(same_values(with.references, without.references));
-      EXPECT_TRUE(same_values(with.voxel_map, without.voxel_map));
-      EXPECT_TRUE(same_values(with.cells, without.cells));
-      EXPECT_TRUE(same_values(with.nodes, without.nodes));
+      expect_same(with, without);
     }
   }
 }

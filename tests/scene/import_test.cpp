@@ -4,6 +4,7 @@
 #include "libscene/nff/nff.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
+#include "tests/scene/mesh_texts.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <numbers>
 
@@ -22,6 +22,8 @@ extern "C" const char* __lsan_default_suppressions() { // NOLINT(bugprone-reserv
 
 namespace masu {
 namespace {
+
+using namespace texts;
 
 using Import = RandomTest;
 
@@ -57,95 +59,27 @@ std::vector<Polygon> random_polygons(Chance& chance, int max_vertices) {
   return polygons;
 }
 
-std::string coordinates(const Vec3d& p) {
-  return fmt::format("{:.6f} {:.6f} {:.6f}\n", p.x, p.y, p.z);
-}
-
 std::string nff_of(const std::vector<Polygon>& polygons) {
   std::string text;
   for (const Polygon& polygon : polygons) {
     text += fmt::format("p {}\n", polygon.size());
     for (const Vec3d& p : polygon)
-      text += coordinates(p);
+      text += digits(p) + "\n";
   }
   return text;
 }
 
-std::string obj_of(const std::vector<Polygon>& polygons) {
-  std::string text;
+// Each polygon has vertices of its own.
+PolygonMesh mesh_of(const std::vector<Polygon>& polygons) {
+  PolygonMesh mesh;
   for (const Polygon& polygon : polygons) {
-    for (const Vec3d& p : polygon)
-      text += "v " + coordinates(p);
-    text += "f";
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-      text += fmt::format(" {}", static_cast<int>(i) - static_cast<int>(polygon.size())); // relative
-    text += "\n";
-  }
-  return text;
-}
-
-std::size_t vertex_count(const std::vector<Polygon>& polygons) {
-  std::size_t count = 0;
-  for (const Polygon& polygon : polygons)
-    count += polygon.size();
-  return count;
-}
-
-std::string ply_header(const std::vector<Polygon>& polygons, const char* format) {
-  return fmt::format(
-      "ply\nformat {} 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
-      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      format, vertex_count(polygons), polygons.size());
-}
-
-std::string ply_of(const std::vector<Polygon>& polygons) {
-  std::string text = ply_header(polygons, "ascii"), faces;
-  int next = 0;
-  for (const Polygon& polygon : polygons) {
-    faces += fmt::format("{}", polygon.size());
+    auto& face = mesh.faces.emplace_back();
     for (const Vec3d& p : polygon) {
-      text += coordinates(p);
-      faces += fmt::format(" {}", next++);
-    }
-    faces += "\n";
-  }
-  return text + faces;
-}
-
-template <class T>
-void append(std::string& bytes, T value) {
-  std::array<char, sizeof(T)> raw{};
-  std::memcpy(raw.data(), &value, sizeof value);
-  bytes.append(raw.data(), raw.size());
-}
-void append_point(std::string& bytes, const Vec3d& p) {
-  for (const double x : {p.x, p.y, p.z})
-    append(bytes, static_cast<float>(x));
-}
-
-std::string binary_ply_of(const std::vector<Polygon>& polygons) {
-  std::string bytes = ply_header(polygons, "binary_little_endian"), faces;
-  std::int32_t next = 0;
-  for (const Polygon& polygon : polygons) {
-    append(faces, static_cast<std::uint8_t>(polygon.size()));
-    for (const Vec3d& p : polygon) {
-      append_point(bytes, p);
-      append(faces, next++);
+      face.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+      mesh.vertices.push_back(p);
     }
   }
-  return bytes + faces;
-}
-
-std::string stl_of(const std::vector<Polygon>& triangles) {
-  std::string bytes(80, '\0');
-  append(bytes, static_cast<std::uint32_t>(triangles.size()));
-  for (const Polygon& triangle : triangles) {
-    append_point(bytes, {0, 0, 0}); // the normal
-    for (const Vec3d& p : triangle)
-      append_point(bytes, p);
-    append(bytes, std::uint16_t{0});
-  }
-  return bytes;
+  return mesh;
 }
 
 // Binary glTF: one mesh of the triangles, whose primitive has material 0 if `more` lists materials.
@@ -155,7 +89,7 @@ std::string glb_of(const std::vector<Polygon>& triangles, const std::string& nod
   std::string body;
   for (const Polygon& triangle : triangles)
     for (const Vec3d& p : triangle)
-      append_point(body, p);
+      append_point<float>(body, p);
   std::string json =
       fmt::format(R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}],)"
                   R"("meshes":[{{"name":"m","primitives":[{{"attributes":{{"POSITION":0}}{}}}]}}],)"
@@ -194,11 +128,12 @@ TEST_F(Import, PolygonsAreTheSameTrianglesAsFromNff) {
     const std::vector<Polygon> polygons = random_polygons(chance_, max_vertices);
     const Scene nff = parse_nff(nff_of(polygons), "t");
     EXPECT_EQ(nff.warnings.degenerate_polygons, 1U);
-    expect_same_triangles(parse(obj_of(polygons), "obj").scene, nff);
-    expect_same_triangles(parse(ply_of(polygons), "ply").scene, nff);
-    expect_same_triangles(parse(binary_ply_of(polygons), "ply").scene, nff);
+    const PolygonMesh mesh = mesh_of(polygons);
+    expect_same_triangles(parse(obj_of(mesh), "obj").scene, nff);
+    expect_same_triangles(parse(ply_of(mesh), "ply").scene, nff);
+    expect_same_triangles(parse(binary_ply_of<float>(mesh, false), "ply").scene, nff);
     if (max_vertices > 3) continue;
-    expect_same_triangles(parse(stl_of(polygons), "stl").scene, nff);
+    expect_same_triangles(parse(binary_stl_of(mesh), "stl").scene, nff);
     expect_same_triangles(parse(glb_of(polygons), "glb").scene, nff);
   }
 }
@@ -233,7 +168,8 @@ TEST_F(Import, TrianglesOfPolygonsSayTheirFaces) {
     std::vector<Polygon> polygons = random_polygons(chance_, 9);
     polygons.push_back({{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {2, 2, 2}}); // without area
     std::shuffle(polygons.begin(), polygons.end(), chance_.engine());
-    for (const auto& [extension, text] : {std::pair{"ply", ply_of(polygons)}, {"obj", obj_of(polygons)}}) {
+    const PolygonMesh mesh = mesh_of(polygons);
+    for (const auto& [extension, text] : {std::pair{"ply", ply_of(mesh)}, {"obj", obj_of(mesh)}}) {
       const Scene scene = parse(text, extension).scene;
       ASSERT_EQ(scene.faces.size(), scene.triangles.size());
       std::vector<int> triangles(polygons.size());
@@ -345,13 +281,14 @@ std::string sphere_obj(int rings) {
   const auto at = [&](int i, int j) {
     const double latitude = std::numbers::pi * i / rings,
                  longitude = std::numbers::pi * (j % (2 * rings)) / rings;
-    return Vec3d{2 * std::sin(latitude) * std::cos(longitude), 2 * std::sin(latitude) * std::sin(longitude),
-                 2 * std::cos(latitude)};
+    const auto rounded = [](double x) { return std::round(1e6 * x) / 1e6; }; // the poles are one point each
+    return Vec3d{rounded(2 * std::sin(latitude) * std::cos(longitude)),
+                 rounded(2 * std::sin(latitude) * std::sin(longitude)), rounded(2 * std::cos(latitude))};
   };
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < 2 * rings; ++j)
       polygons.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-  return obj_of(polygons);
+  return obj_of(mesh_of(polygons));
 }
 
 TEST_F(Import, GeneratedNormalsOfASphereAreRadial) {
@@ -428,7 +365,7 @@ bool is_framed(const Scene& scene) {
 
 TEST_F(Import, TheAutomaticCameraFramesTheSceneWithItsUpAxis) {
   for (int i = 0; i < 20; ++i) {
-    const std::string obj = obj_of(random_polygons(chance_, 9));
+    const std::string obj = obj_of(mesh_of(random_polygons(chance_, 9)));
     for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
       ImportOptions options;
       options.up = up;
@@ -505,8 +442,9 @@ TEST_F(Import, MoreTrianglesThanAreAllowedAreRefused) {
     return is_refused([&](const std::string&) { parse(text, extension, options); }, "t",
                       fmt::format("has more than {} triangles: split the file", most));
   };
+  const PolygonMesh mesh = mesh_of(polygons);
   for (const auto& [extension, text] :
-       {std::pair{"ply", binary_ply_of(polygons)}, {"obj", obj_of(polygons)}}) {
+       {std::pair{"ply", binary_ply_of<float>(mesh, false)}, {"obj", obj_of(mesh)}}) {
     EXPECT_TRUE(refused(text, extension, all - 1)) << extension;
     EXPECT_FALSE(refused(text, extension, all)) << extension;
   }
@@ -518,8 +456,8 @@ TEST_F(Import, MoreTrianglesThanAreAllowedAreRefused) {
 }
 
 TEST_F(Import, TruncatedFilesAreReadOrRefused) {
-  const std::vector<Polygon> polygons = random_polygons(chance_, 5);
-  const std::string ply = binary_ply_of(polygons), obj = obj_of(polygons), glb = glb_of(one_triangle);
+  const PolygonMesh mesh = mesh_of(random_polygons(chance_, 5));
+  const std::string ply = binary_ply_of<float>(mesh, false), obj = obj_of(mesh), glb = glb_of(one_triangle);
   const auto take = [](const std::string& text, const std::string& extension) {
     try {
       parse(text, extension);

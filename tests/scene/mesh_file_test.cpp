@@ -5,19 +5,20 @@
 #include "libscene/mesh/files/mesh_scene.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
+#include "tests/scene/mesh_texts.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <map>
 
 namespace masu {
 namespace {
+
+using namespace texts;
 
 using MeshFiles = RandomTest;
 
@@ -40,98 +41,7 @@ testing::AssertionResult refused(std::string_view text, MeshFormat format, const
                     says);
 }
 
-// --- A mesh in every format --------------------------------------------------------------------------------
-
-struct Mesh {
-  std::vector<Vec3d> vertices;
-  std::vector<std::vector<std::uint32_t>> faces;
-};
-
-template <class T>
-void append(std::string& bytes, T value, bool is_big = false) {
-  std::array<char, sizeof(T)> raw{};
-  std::memcpy(raw.data(), &value, sizeof value);
-  if (is_big) std::ranges::reverse(raw);
-  bytes.append(raw.data(), raw.size());
-}
-
-std::string digits(const Vec3d& v) {
-  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x, v.y, v.z);
-}
-std::string obj_of(const Mesh& mesh) {
-  std::string text;
-  for (const Vec3d& v : mesh.vertices)
-    text += "v " + digits(v) + "\n";
-  for (const auto& face : mesh.faces) {
-    text += "f";
-    for (const std::uint32_t corner : face)
-      text += fmt::format(" {}", corner + 1);
-    text += "\n";
-  }
-  return text;
-}
-std::string counted(std::uint32_t corners, const std::vector<std::uint32_t>& face) {
-  std::string text = std::to_string(corners);
-  for (const std::uint32_t corner : face)
-    text += fmt::format(" {}", corner);
-  return text + "\n";
-}
-std::string body_of(const Mesh& mesh) {
-  std::string text;
-  for (const Vec3d& v : mesh.vertices)
-    text += digits(v) + "\n";
-  for (const auto& face : mesh.faces)
-    text += counted(static_cast<std::uint32_t>(face.size()), face);
-  return text;
-}
-std::string off_of(const Mesh& mesh) {
-  return fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.faces.size()) + body_of(mesh);
-}
-std::string ply_header(const Mesh& mesh, const std::string& format, const std::string& type) {
-  return fmt::format(
-      "ply\nformat {0} 1.0\nelement vertex {1}\nproperty {2} x\nproperty {2} y\nproperty {2} z\n"
-      "element face {3}\nproperty list uchar int vertex_index\nend_header\n",
-      format, mesh.vertices.size(), type, mesh.faces.size());
-}
-std::string ply_of(const Mesh& mesh) {
-  return ply_header(mesh, "ascii", "double") + body_of(mesh);
-}
-template <class T>
-std::string binary_ply_of(const Mesh& mesh, bool is_big) {
-  std::string bytes = ply_header(mesh, is_big ? "binary_big_endian" : "binary_little_endian",
-                                 std::is_same_v<T, float> ? "float" : "double");
-  for (const Vec3d& v : mesh.vertices)
-    for (const double x : {v.x, v.y, v.z})
-      append(bytes, static_cast<T>(x), is_big);
-  for (const auto& face : mesh.faces) {
-    append(bytes, static_cast<std::uint8_t>(face.size()));
-    for (const std::uint32_t corner : face)
-      append(bytes, corner, is_big);
-  }
-  return bytes;
-}
-std::string stl_of(const Mesh& mesh) {
-  std::string text = "solid t\n";
-  for (const auto& face : mesh.faces) {
-    text += "facet normal 0 0 1\n outer loop\n";
-    for (const std::uint32_t corner : face)
-      text += "  vertex " + digits(mesh.vertices[corner]) + "\n";
-    text += " endloop\nendfacet\n";
-  }
-  return text + "endsolid t\n";
-}
-std::string binary_stl_of(const Mesh& mesh, std::string header = "") {
-  header.resize(80, header.empty() ? '\0' : ' ');
-  append(header, static_cast<std::uint32_t>(mesh.faces.size()));
-  for (const auto& face : mesh.faces) {
-    header.append(12, '\0'); // the normal
-    for (const std::uint32_t corner : face)
-      for (const double x : {mesh.vertices[corner].x, mesh.vertices[corner].y, mesh.vertices[corner].z})
-        append(header, static_cast<float>(x));
-    header.append(2, '\0');
-  }
-  return header;
-}
+// --- Corners -----------------------------------------------------------------------------------------------
 
 // The positions of all corners, bit by bit.
 std::vector<std::uint64_t> corners_of(const MeshFile& file) {
@@ -141,7 +51,7 @@ std::vector<std::uint64_t> corners_of(const MeshFile& file) {
       bits.push_back(std::bit_cast<std::uint64_t>(x));
   return bits;
 }
-std::vector<std::uint64_t> corners_of(const Mesh& mesh) {
+std::vector<std::uint64_t> corners_of(const PolygonMesh& mesh) {
   std::vector<std::uint64_t> bits;
   for (const auto& face : mesh.faces)
     for (const std::uint32_t corner : face)
@@ -151,8 +61,8 @@ std::vector<std::uint64_t> corners_of(const Mesh& mesh) {
 }
 
 template <class Coordinate>
-Mesh random_mesh(Chance& chance, int corners, const Coordinate& coordinate) {
-  Mesh mesh;
+PolygonMesh random_mesh(Chance& chance, int corners, const Coordinate& coordinate) {
+  PolygonMesh mesh;
   const int vertices = chance.whole(corners, 30);
   for (int i = 0; i < vertices; ++i)
     mesh.vertices.push_back({coordinate(), coordinate(), coordinate()});
@@ -169,7 +79,7 @@ Mesh random_mesh(Chance& chance, int corners, const Coordinate& coordinate) {
 TEST_F(MeshFiles, CoordinatesKeepAllDigits) {
   for (int i = 0; i < 100; ++i) {
     const auto any = [&] { return std::ldexp(chance_.uniform(-1, 1), chance_.whole(-300, 300)); };
-    const Mesh polygons = random_mesh(chance_, 9, any), triangles = random_mesh(chance_, 3, any);
+    const PolygonMesh polygons = random_mesh(chance_, 9, any), triangles = random_mesh(chance_, 3, any);
     const std::vector<std::uint64_t> expected = corners_of(polygons);
     EXPECT_EQ(corners_of(parse(obj_of(polygons), MeshFormat::obj)), expected);
     EXPECT_EQ(corners_of(parse(off_of(polygons), MeshFormat::off)), expected);
@@ -177,7 +87,7 @@ TEST_F(MeshFiles, CoordinatesKeepAllDigits) {
     for (const bool is_big : {false, true})
       EXPECT_EQ(corners_of(parse(binary_ply_of<double>(polygons, is_big), MeshFormat::ply)), expected);
     EXPECT_EQ(corners_of(parse(stl_of(triangles), MeshFormat::stl)), corners_of(triangles));
-    const Mesh floats =
+    const PolygonMesh floats =
         random_mesh(chance_, 3, [&] { return double{static_cast<float>(chance_.uniform(-9, 9))}; });
     for (const bool is_big : {false, true})
       EXPECT_EQ(corners_of(parse(binary_ply_of<float>(floats, is_big), MeshFormat::ply)), corners_of(floats));
@@ -188,7 +98,7 @@ TEST_F(MeshFiles, CoordinatesKeepAllDigits) {
 // Cells of 0.3 at the place of a town in UTM coordinates: no square crosses itself, all bounds are right.
 TEST_F(MeshFiles, AGridFarFromZeroKeepsItsShape) {
   constexpr int cells = 40;
-  Mesh mesh;
+  PolygonMesh mesh;
   for (int j = 0; j <= cells; ++j)
     for (int i = 0; i <= cells; ++i)
       mesh.vertices.push_back({500000 + 0.3 * i, 5400000 + 0.3 * j, 200 + 0.1 * ((3 * i + j) % 5)});
@@ -211,8 +121,8 @@ TEST_F(MeshFiles, AGridFarFromZeroKeepsItsShape) {
 
 // --- OBJ ---------------------------------------------------------------------------------------------------
 
-const Mesh square{{{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}};
-const Mesh corner{{{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}}, {{0, 1, 2}}};
+const PolygonMesh square{{{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}};
+const PolygonMesh corner{{{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}}, {{0, 1, 2}}};
 
 TEST_F(MeshFiles, ObjIsTheSameHoweverItIsWritten) {
   for (const std::string_view text :
@@ -380,7 +290,7 @@ TEST_F(MeshFiles, PlyIsTheSameWhateverItsPropertiesAndElements) {
     return all[static_cast<std::size_t>(chance_.whole(0, static_cast<int>(all.size()) - 1))];
   };
   for (int i = 0; i < 200; ++i) {
-    const Mesh mesh = random_mesh(chance_, 6, [&] { return double{1.0 * chance_.whole(0, 100)}; });
+    const PolygonMesh mesh = random_mesh(chance_, 6, [&] { return double{1.0 * chance_.whole(0, 100)}; });
     std::vector<PlyProperty> vertex{{"x", of(types)}, {"y", of(types)}, {"z", of(types)}};
     for (const char* const other : {"quality", "list a", "nx", "list b"})
       if (chance_.whole(0, 1) == 1) vertex.push_back({other, of(types)});
@@ -567,7 +477,7 @@ TEST_F(MeshFiles, StlIsTheSameHoweverItIsWritten) {
 }
 
 TEST_F(MeshFiles, FacetsOfABinaryStlHaveColors) {
-  Mesh mesh = corner;
+  PolygonMesh mesh = corner;
   mesh.faces.push_back({0, 1, 2});
   for (const bool is_magics : {false, true}) {
     std::string bytes = binary_stl_of(mesh, is_magics ? std::string("COLOR=\xff\x33\x00\xff", 10) : "");

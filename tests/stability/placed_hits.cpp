@@ -51,9 +51,8 @@ PlacedHits placed_hits(std::size_t kind, std::mt19937_64& engine, std::size_t ra
       relative[3 + axis] = ray.direction[axis];
     }
   }
-  found.is_float64 = of.store == MASU_STORE_FLOAT64;
   const Tracer tracer(scenes.placed());
-  if (!found.is_float64) found.robust = hits_by(tracer, scenes, list, MASU_PRECISION_ROBUST);
+  if (of.store != MASU_STORE_FLOAT64) found.robust = hits_by(tracer, scenes, list, MASU_PRECISION_ROBUST);
   found.double_precision = hits_by(tracer, scenes, list, MASU_PRECISION_DOUBLE);
   return found;
 }

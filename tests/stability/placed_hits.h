@@ -17,7 +17,6 @@ struct PlacedHits {
   };
   std::vector<std::array<double, 6>> rays; // origins, relative to the file's, and directions
   Hits robust, double_precision;           // robust: not of a store in float64
-  bool is_float64;
 };
 
 std::size_t placed_kind_count(); // near, tiny, far, stretched, mirrored, … (tests/api/placed_scene.h)

@@ -42,14 +42,10 @@ TEST_F(PlacedOracle, HitsAreThoseOfExactArithmetic) {
     const std::string path = folder.file("written.scene");
     const PlacedHits hits = placed_hits(kind, engine, static_cast<std::size_t>(cases(60)), path);
     const SceneFile file(path);
-    const auto check = [&](const auto& scene) {
+    file.with_view([&](const auto& scene) {
       expect_right(scene, file.bounds(), hits, hits.robust, Precision::robust, total);
       expect_right(scene, file.bounds(), hits, hits.double_precision, Precision::doubled, total);
-    };
-    if (hits.is_float64)
-      check(file.view<double>());
-    else
-      check(file.view<float>());
+    });
   }
   EXPECT_LT(2 * total.unsure, total.rays); // otherwise the checks would say little
 }

@@ -10,9 +10,8 @@ namespace {
 // Calls act(ray's index, surface point hit, ray's direction) for each ray, in parallel; the point is null for
 // a miss.
 template <class Stored, class Act>
-void for_each_hit(const SceneFile& file, const StructureFile& grid, std::span<const Ray<double>> rays,
-                  const Act& act) {
-  const SceneView<Stored> scene = file.view<Stored>();
+void for_each_hit(const SceneFile& file, const SceneView<Stored>& scene, const StructureFile& grid,
+                  std::span<const Ray<double>> rays, const Act& act) {
   const RayHits hits =
       ResidentTracer(file, &grid, Device::cpu).hits(relative(RayList(rays)), {}, HitName::primitive);
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
@@ -35,62 +34,23 @@ Ray<double> scattered(const SurfacePoint<Stored>& point, const Vec3<Stored>& inc
   return unbounded_ray(cast<double>(leaving(point, direction)), cast<double>(direction));
 }
 
-template <class Stored>
-std::vector<Ray<double>> diffuse(const SceneFile& file, const StructureFile& grid,
-                                 std::span<const Ray<double>> rays, std::uint64_t seed) {
-  const Sphere<double> sphere = sphere_around(file.bounds());
-  std::vector<Ray<double>> all(rays.size());
-  for_each_hit<Stored>(
-      file, grid, rays, [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& incoming) {
-        RandomSequence random(seed, i);
-        all[i] = point == nullptr ? random_ray<Stored>(sphere, random) : scattered(*point, incoming, random);
-      });
-  return all;
-}
-
 // Rays made of hits by make(ray's index, point, ray's direction), in the rays' order.
 template <class Stored, class Make>
-std::vector<Ray<double>> from_hits(const SceneFile& file, const StructureFile& grid,
-                                   std::span<const Ray<double>> rays, const Make& make) {
+std::vector<Ray<double>> from_hits(const SceneFile& file, const SceneView<Stored>& scene,
+                                   const StructureFile& grid, std::span<const Ray<double>> rays,
+                                   const Make& make) {
   std::vector<Ray<double>> all(rays.size());
   std::vector<std::uint8_t> present(rays.size(), 0);
-  for_each_hit<Stored>(file, grid, rays,
-                       [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& incoming) {
-                         if (point == nullptr) return;
-                         all[i] = make(i, *point, incoming);
-                         present[i] = 1;
-                       });
+  for_each_hit(file, scene, grid, rays, [&](std::size_t i, const auto* point, const auto& incoming) {
+    if (point == nullptr) return;
+    all[i] = make(i, *point, incoming);
+    present[i] = 1;
+  });
   std::vector<Ray<double>> kept;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (present[i] != 0) kept.push_back(all[i]);
   }
   return kept;
-}
-
-template <class Stored>
-std::vector<Ray<double>> shadow(const SceneFile& file, const StructureFile& grid,
-                                std::span<const Ray<double>> rays) {
-  const Lighting<Stored> lighting = file.lighting<Stored>();
-  if (lighting.light_count == 0) return {};
-  return from_hits<Stored>(file, grid, rays,
-                           [&](std::size_t i, const SurfacePoint<Stored>& point, const Vec3<Stored>&) {
-                             const Vec3<Stored> light = lighting.lights[i % lighting.light_count].position;
-                             const Vec3<Stored> origin = leaving(point, light - point.position);
-                             return Ray<double>{cast<double>(origin), 0, cast<double>(light - origin), 1};
-                           });
-}
-
-template <class Stored>
-std::vector<Ray<double>> ambient(const SceneFile& file, const StructureFile& grid,
-                                 std::span<const Ray<double>> rays, std::uint64_t seed) {
-  const double diagonal = 2 * sphere_around(file.bounds()).radius;
-  return from_hits<Stored>(
-      file, grid, rays, [&](std::size_t i, const SurfacePoint<Stored>& point, const Vec3<Stored>& incoming) {
-        RandomSequence random(seed, i);
-        Ray<double> ray = scattered(point, incoming, random);
-        ray.t_max = static_cast<float>(diagonal / 10);
-        return ray;
-      });
 }
 
 template <class Stored>
@@ -125,8 +85,15 @@ std::vector<Ray<double>> primary_rays(const SceneFile& scene, const Camera& came
 
 std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const StructureFile& grid,
                                       std::span<const Ray<double>> rays, std::uint64_t seed) {
-  return scene.is_float64() ? diffuse<double>(scene, grid, rays, seed)
-                            : diffuse<float>(scene, grid, rays, seed);
+  const Sphere<double> sphere = sphere_around(scene.bounds());
+  std::vector<Ray<double>> all(rays.size());
+  scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    for_each_hit(scene, view, grid, rays, [&](std::size_t i, const auto* point, const auto& incoming) {
+      RandomSequence random(seed, i);
+      all[i] = point == nullptr ? random_ray<Stored>(sphere, random) : scattered(*point, incoming, random);
+    });
+  });
+  return all;
 }
 
 std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed) {
@@ -154,13 +121,28 @@ std::vector<Ray<double>> random_places(const SceneFile& scene, std::size_t count
 
 std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const StructureFile& grid,
                                      std::span<const Ray<double>> rays) {
-  return scene.is_float64() ? shadow<double>(scene, grid, rays) : shadow<float>(scene, grid, rays);
+  return scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    const Lighting<Stored> lighting = scene.lighting<Stored>();
+    if (lighting.light_count == 0) return std::vector<Ray<double>>{};
+    return from_hits(scene, view, grid, rays, [&](std::size_t i, const auto& point, const auto&) {
+      const Vec3<Stored> light = lighting.lights[i % lighting.light_count].position;
+      const Vec3<Stored> origin = leaving(point, light - point.position);
+      return Ray<double>{cast<double>(origin), 0, cast<double>(light - origin), 1};
+    });
+  });
 }
 
 std::vector<Ray<double>> ambient_rays(const SceneFile& scene, const StructureFile& grid,
                                       std::span<const Ray<double>> rays, std::uint64_t seed) {
-  return scene.is_float64() ? ambient<double>(scene, grid, rays, seed)
-                            : ambient<float>(scene, grid, rays, seed);
+  const double diagonal = 2 * sphere_around(scene.bounds()).radius;
+  return scene.with_view([&](const auto& view) {
+    return from_hits(scene, view, grid, rays, [&](std::size_t i, const auto& point, const auto& incoming) {
+      RandomSequence random(seed, i);
+      Ray<double> ray = scattered(point, incoming, random);
+      ray.t_max = static_cast<float>(diagonal / 10);
+      return ray;
+    });
+  });
 }
 
 } // namespace masu

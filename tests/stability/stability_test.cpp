@@ -1,14 +1,11 @@
 // Robust and double precision fail nowhere, and within the envelopes of docs/accuracy.md most rays are sure.
 #include "libscene/float32_precision.h"
-#include "stability/oracle/backends.h"
 #include "stability/oracle/oracle.h"
 #include "stability/run.h"
 #include "stability/sweeps/picture_sweeps.h"
 #include "tests/random_test.h"
 
 #include <gtest/gtest.h>
-
-#include <iostream>
 
 namespace masu::stability {
 namespace {

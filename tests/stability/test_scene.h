@@ -7,13 +7,11 @@
 #include "libscene/scene_view.h"
 #include "stability/random_seed.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
 #include <ios>
-#include <limits>
 #include <random>
 #include <sstream>
 #include <string>

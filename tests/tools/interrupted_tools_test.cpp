@@ -8,7 +8,6 @@
 #include <csignal>
 #include <map>
 #include <random>
-#include <set>
 #include <thread>
 
 namespace masu {

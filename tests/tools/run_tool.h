@@ -1,7 +1,7 @@
 // Runs the built tools, each in a process of its own.
 #pragma once
 
-#include "stability/random_seed.h"
+#include "tests/seeded_test.h"
 #include "tests/temporary_folder.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -91,7 +91,7 @@ inline Npy read_npy(const std::string& path) {
 }
 
 // A test with a temporary folder for files. What fails says how to repeat it with the same random numbers.
-class ToolTest : public testing::Test {
+class ToolTest : public SeededTest {
 protected:
   std::string file(std::string_view name) const { return folder_.file(name); }
 
@@ -119,10 +119,6 @@ protected:
   void expect_refused(int code, std::string_view commands, const Surroundings& surroundings = {}) const;
 
   const TemporaryFolder folder_;
-  const RandomSeed seed_;
-
-private:
-  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
 };
 
 // A light, a floor, a sphere, and a view.

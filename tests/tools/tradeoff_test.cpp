@@ -16,6 +16,11 @@ namespace {
 
 // --- The front ------------------------------------------------------------------------------------------
 
+// Whether `a` is at least as good in both, and better in one.
+bool dominates(const Merit& a, const Merit& b) {
+  return a.speed >= b.speed && a.error <= b.error && (a.speed > b.speed || a.error < b.error);
+}
+
 // Few distinct values, so that many are equal.
 std::vector<Merit> random_merits(std::mt19937_64& random) {
   std::vector<Merit> merits(random() % 40);

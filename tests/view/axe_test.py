@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 from gridview_run import Gridview, Tools, skip, wait_until
-from view_test import open_browser
+from view_test import load, open_browser, resize
 
 
 def axe_script():
@@ -50,12 +50,11 @@ def main():
     ]
     with Gridview(tools, *scene, "-q") as server:
         for width, height in [(1024, 768), (1440, 900), (1920, 1080)]:
-            browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+            resize(browser, width, height)
             for theme in ("light", "dark"):
                 browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": theme}]})
                 for name, is_export, fragment, shown, act in states:
-                    browser.get("about:blank")
-                    browser.get((export if is_export else server.address) + fragment)
+                    load(browser, (export if is_export else server.address) + fragment)
                     wait_until(lambda: browser.execute_script(shown), f"{name} at {width}", 120)
                     browser.execute_script(act + "; document.querySelectorAll('details').forEach((details) => { details.open = true; })")
                     wait_until(lambda: browser.execute_script("return document.querySelector('#histogram svg')"), "all panels")

@@ -4,7 +4,7 @@ import pathlib
 import sys
 
 from gridview_run import Gridview, Tools, wait_until
-from view_test import open_browser
+from view_test import load, open_browser, resize
 
 SHARP = "return panes.length > 0 && panes.every((pane) => pane.frame && pane.frame.isSharp && pane.counts) && !slicePanel.isLoading"
 WALKED = "return planeView && planeView.plots.length > 0 && !planeView.wish && planeView.plots.every((plot) => plot.counts.textContent)"
@@ -22,7 +22,7 @@ PICTURES = [
 def main():
     tools, docs = Tools(sys.argv[1]), pathlib.Path(sys.argv[2])
     browser = open_browser()
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 1280, "height": 720, "deviceScaleFactor": 1, "mobile": False})
+    resize(browser, 1280, 720)
     for name, scene, builds, fragment, shown in PICTURES:
         tools.run("nffgen", scene, "-o", f"{scene}.nff")
         tools.run("nff2bin", f"{scene}.nff", "-o", f"{scene}.scene")
@@ -30,8 +30,7 @@ def main():
         for build, grid in zip(builds, grids):
             tools.run("gridbuild", f"{scene}.scene", "-o", grid, *BUILDS[build])
         with Gridview(tools, f"{scene}.scene", *grids, "-q") as server:
-            browser.get("about:blank")
-            browser.get(server.address + fragment.format(*grids))
+            load(browser, server.address + fragment.format(*grids))
             wait_until(lambda: browser.execute_script(shown), name, 300)
             data = browser.execute_cdp_cmd("Page.captureScreenshot", {"format": "jpeg", "quality": 88} if name.endswith(".jpg") else {})["data"]
             (docs / name).write_bytes(base64.b64decode(data))

@@ -54,6 +54,16 @@ def open_browser():
     return webdriver.Chrome(service=Service(DRIVER), options=options)
 
 
+def resize(browser, width, height):
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+
+def load(browser, address):
+    """Anew, though another part of the same page may be shown."""
+    browser.get("about:blank")
+    browser.get(address)
+
+
 def read_pfm(path):
     """Rows from the top of (r, g, b), or of numbers."""
     data = path.read_bytes()
@@ -69,6 +79,10 @@ def cost(printed, a=1, b=1, step=None):
     steps = printed["steps"][:None if step is None else step + 1]
     per_step = 8 if steps and steps[0]["node"] else 1
     return a * sum(len(one["tests"]) for one in steps) + b * per_step * len(steps)
+
+
+def counted(count, what):
+    return f"{count} {what}{'' if count == 1 else 's'}"
 
 
 def channel_of(color):
@@ -104,10 +118,9 @@ class Page(unittest.TestCase):
     # --- What tests do ---
 
     def show(self, width=860, height=420, dark=False, fragment="", server=None):
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        resize(self.browser, width, height)
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
-        self.browser.get("about:blank")
-        self.browser.get((server or self.server).address + fragment)
+        load(self.browser, (server or self.server).address + fragment)
         self.wait_sharp()
 
     def js(self, script, *arguments):
@@ -249,8 +262,7 @@ class Page(unittest.TestCase):
 
     def assert_shows(self, printed, shown, cells_drawn, what="cell"):
         """The counts of a picture, and the boxes of cells or nodes drawn in it, are those of a walk that gridtrace printed."""
-        text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
-        self.assertEqual(shown["counts"], f"{text(printed['cells'], what)}, {text(printed['tests'], 'test')}")
+        self.assertEqual(shown["counts"], f"{counted(printed['cells'], what)}, {counted(printed['tests'], 'test')}")
         self.assertEqual(shown["table"], [str(printed["cells"]), str(printed["tests"]), str(cost(printed))])
         if cells_drawn:
             self.assertEqual(shown["boxes"], [step["box"] for step in printed["steps"]])
@@ -577,8 +589,7 @@ class Page(unittest.TestCase):
         """Counts, in the end and at each step, and the table are those of gridtrace."""
         printed = [self.printed(grid, scene_path=scene_path) for grid in grids]
         whats = ["node" if grid.endswith("_bvh.grid") else "cell" for grid in grids]
-        text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
-        alls = [f"{text(one['cells'], what)}, {text(one['tests'], 'test')}" for one, what in zip(printed, whats)]
+        alls = [f"{counted(one['cells'], what)}, {counted(one['tests'], 'test')}" for one, what in zip(printed, whats)]
         shown = lambda: self.js("return planeView.plots.map((plot) => plot.counts.textContent)")
         self.assertEqual(shown(), alls)
         rows = self.js("return [...document.querySelectorAll('#walk > table tbody tr')].map((row) => [...row.cells].slice(1, 1 + planeView.grids.length).map((cell) => cell.textContent))")
@@ -593,7 +604,7 @@ class Page(unittest.TestCase):
                     wanted.append(f"{all_}: ended" if len(steps) - 1 < step < last else all_)
                 else:
                     so_far = sum(len(s["tests"]) for s in steps[:step + 1])
-                    wanted.append(f"{what} {step + 1} of {one['cells']}: {text(len(steps[step]['tests']), 'test')}, {so_far} so far")
+                    wanted.append(f"{what} {step + 1} of {one['cells']}: {counted(len(steps[step]['tests']), 'test')}, {so_far} so far")
                     if node := steps[step]["node"]:
                         wanted[-1] += f"; boxes: {node['boxes_met']} met, {node['boxes_missed']} missed, {node['boxes_beyond']} beyond the hit"
             self.assertEqual(shown(), wanted)
@@ -903,8 +914,7 @@ class Page(unittest.TestCase):
         self.wait_sharp()
         self.assertEqual(self.walk(), shown)
         fragment = self.js("return fragment()")
-        self.browser.get("about:blank")
-        self.browser.get(address + fragment)
+        load(self.browser, address + fragment)
         self.wait_sharp()
         self.wait_walk()
         self.assertEqual(self.js("return walkPanel.ray"), ray)
@@ -939,8 +949,7 @@ class Page(unittest.TestCase):
         self.leave()
         address = (tools.folder / "slices.html").as_uri()
         for fragment, wanted in [("", rays[0]), (f"#view=plane&slice={slices[0]}&ray={rays[1]}", rays[1])]:
-            self.browser.get("about:blank")
-            self.browser.get(address + fragment)
+            load(self.browser, address + fragment)
             self.wait_plane()
             ray = self.js("return walkPanel.ray")
             for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted.split(","))):
@@ -948,8 +957,7 @@ class Page(unittest.TestCase):
             self.assert_walks_in_plane(names)
             self.assert_sentences(names)
         # A ray that isn't there is the nearest that is, and says so by its ends; an axis without slices has the nearest one.
-        self.browser.get("about:blank")
-        self.browser.get(f"{address}#view=plane&slice=y,0.2&ray=-1.95,-0.2,0.31,3.9,0.1,0")
+        load(self.browser, f"{address}#view=plane&slice=y,0.2&ray=-1.95,-0.2,0.31,3.9,0.1,0")
         self.wait_plane()
         self.assertEqual(self.js("return [state.slice.axis, 'xyz'.indexOf(slicePanel.axis.selectedOptions[0].textContent)]"), [0, 0] if abs(0.2 - 0.5) < abs(0.2 - float(slices[0][2:])) else [2, 2])
         self.js("location.hash = arguments[0]", f"#view=plane&slice={slices[0]}&ray=-1.95,-0.2,0.31,3.9,0.1,0")
@@ -979,9 +987,8 @@ class Page(unittest.TestCase):
         self.leave()
         address = (docs / "plane.html").as_uri()
         for width, link in [(1440, ""), *((1024, link) for link in links)]:
-            self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
-            self.browser.get("about:blank")
-            self.browser.get(address + link)
+            resize(self.browser, width, 800)
+            load(self.browser, address + link)
             wait_until(lambda: self.js("return state.plane && walkPanel.walks.size"), "walks")
             self.assertEqual(self.js("return walkPanel.isAsking"), "guess=1" in link)
             self.js("setGuess(false)")
@@ -997,8 +1004,7 @@ class Page(unittest.TestCase):
             self.assertFalse(self.find("#missing").is_displayed())
             self.assert_fits(width)
         # Its slider has the lesson's answer: what one ray costs in four divisions.
-        self.browser.get("about:blank")
-        self.browser.get(address + next(link for link in links if "grid=division-8&" in link).replace("&guess=1", ""))
+        load(self.browser, address + next(link for link in links if "grid=division-8&" in link).replace("&guess=1", ""))
         self.wait_plane()
         costs = []
         for grid in range(self.js("return state.scene.given"), self.js("return state.scene.grids.length")):
@@ -1114,12 +1120,11 @@ class Page(unittest.TestCase):
             self.assertEqual(self.js("return document.activeElement.className"), "slice")
             whats = ["cell", "cell", "node"]
             guesses = ["; guessed 12", "", "; guessed 7"]
-            text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
             self.assertEqual(self.js("return planeView.plots.map((plot) => plot.counts.textContent)"),
-                             [f"{text(one['cells'], what)}, {text(one['tests'], 'test')}{guess}" for one, what, guess in zip(printed, whats, guesses)])
+                             [f"{counted(one['cells'], what)}, {counted(one['tests'], 'test')}{guess}" for one, what, guess in zip(printed, whats, guesses)])
             self.assertEqual(self.js("return [...document.querySelector('#walk > table tbody').rows[1].cells].map((cell) => cell.textContent)")[:4], ["guessed", "12", "–", "7"])
             self.assertEqual(self.find(".unseen").get_attribute("textContent"),
-                             ". ".join(f"{name.removesuffix('.grid').replace('_', '_' + chr(0x200b))}: {text(one['cells'], what)}{guess}" for name, one, what, guess in zip(names, printed, whats, guesses)))
+                             ". ".join(f"{name.removesuffix('.grid').replace('_', '_' + chr(0x200b))}: {counted(one['cells'], what)}{guess}" for name, one, what, guess in zip(names, printed, whats, guesses)))
             self.screenshot("guessed")
             # Another ray, another question; the address holds that there are any.
             self.js("planeView.move('to', [-0.2, 0.1], null)")
@@ -1275,8 +1280,7 @@ class Page(unittest.TestCase):
         # There are no pictures through them.
         self.assertNotIn("N³", self.js("document.getElementById('plane').click(); return panes[0].gridSelect.textContent"))
         self.wait_sharp()
-        self.browser.get("about:blank")
-        self.browser.get(f"{address}#grid=division-8,{scene[1]}&channel=cells,tests")
+        load(self.browser, f"{address}#grid=division-8,{scene[1]}&channel=cells,tests")
         self.wait_sharp()
         self.assertIn("division-8, which isn’t loaded", self.find("#missing").text)
         self.assertEqual(self.js("return state.panes"), [dict(grid=0, channel="tests", cells="none")])

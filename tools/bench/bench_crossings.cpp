@@ -74,8 +74,8 @@ void bench_crossings(const Settings& settings, Output& output) {
   const SceneFile scene(settings.scene);
   const StructureFile grid(settings.grid);
   const ResidentTracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
-  const Crossings all = scene.is_float64() ? count_crossings(settings, tracer, scene.view<double>())
-                                           : count_crossings(settings, tracer, scene.view<float>());
+  const Crossings all =
+      scene.with_view([&](const auto& view) { return count_crossings(settings, tracer, view); });
   output.json.push_back(
       {{"rays", all.rays}, {"crossing", all.crossing}, {"hits", all.hits}, {"wrong", all.wrong}});
   output.print("{:>12} {:>12} {:>12} {:>12}\n{:>12} {:>12} {:>12} {:>12}\n", "rays", "crossing", "hits",

@@ -6,7 +6,6 @@
 #include "tools/common/progress.h"
 
 #include <algorithm>
-#include <set>
 
 namespace masu {
 namespace {
@@ -39,8 +38,8 @@ constexpr std::size_t rays_a_batch = 1 << 17; // bounds the memory
 
 std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, const StructureFile& grid,
                              const std::vector<Mode>& modes) {
-  const oracle::SceneOracle oracle = scene.is_float64() ? oracle::SceneOracle(scene.view<double>())
-                                                        : oracle::SceneOracle(scene.view<float>());
+  const oracle::SceneOracle oracle =
+      scene.with_view([](const auto& view) { return oracle::SceneOracle(view); });
   const std::vector<Ray<double>> rays = random_rays(scene, settings.count, settings.seed);
   std::vector<Tally> tallies(modes.size());
   Progress progress("comparing");

@@ -6,18 +6,16 @@
 #include "libscene/base/error.h"
 #include "stability/oracle/embree_scene.h"
 #include "stability/ray_sets.h"
+#include "tools/bench/command.h"
 #include "tools/common/cli.h"
-#include "tools/common/printable.h"
 #include "tools/common/repeated.h"
 
 #include <benchmark/benchmark.h>
 
 #include <tbb/parallel_for.h>
 
-#include <array>
 #include <deque>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -241,21 +239,16 @@ std::vector<char*> with_interleaving(int argc, char** argv) {
 
 void add_options(const CommandLine& command, Settings& settings) {
   command.add_option("SCENE", settings.scene, "scene file of triangles, from nff2bin or mesh2bin").required();
-  command.add_option("GRID", settings.grids, "grid files, from gridbuild").required();
-  command.add_option("--sets", settings.sets, "sets of rays: primary, diffuse, random")
-      .comma_separated()
-      .among(std::set<std::string>{"primary", "diffuse", "random"});
-  command.add_option("--size", settings.size, "number of primary rays, WxH").shows_default();
-  command.add_option("--random", settings.random, "number of random rays")
-      .range(std::size_t{1}, std::size_t{1} << 28)
-      .shows_default();
-  command.add_option("--seed", settings.seed, "seed of diffuse and random rays").shows_default();
+  add_grids(command, settings.grids);
+  add_names(command, "--sets", settings.sets, {"primary", "diffuse", "random"},
+            "sets of rays: primary, diffuse, random");
+  add_picture_size(command, settings.size, "number of primary rays");
+  add_count(command, "--random", settings.random, "number of random rays", 28);
+  add_seed(command, settings.seed, "seed of diffuse and random rays");
   command.add_option("--threads", settings.threads, "numbers of threads; 0: all cores")
       .comma_separated()
       .range(0, 4096);
-  command.add_option("--repeat", settings.repeat, "timed runs, of which the median counts")
-      .range(1, 1000)
-      .shows_default();
+  add_repeat(command, settings.repeat, "timed runs, of which the median counts");
   command.footer("--benchmark_… options are Google Benchmark's.");
 }
 

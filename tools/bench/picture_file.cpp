@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstring>
-#include <span>
 #include <string_view>
 
 namespace masu {

@@ -6,7 +6,6 @@
 #include "tools/common/print.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
-#include "tools/common/version.h"
 #include "tools/report/counts_report.h"
 
 #include <sched.h>

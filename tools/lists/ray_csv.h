@@ -1,7 +1,6 @@
 // Lists of rays as text: CSV whose first line names the columns.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>

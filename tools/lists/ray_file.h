@@ -8,7 +8,6 @@
 #include "tools/lists/ray_csv.h"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -7,7 +7,6 @@
 #include "tools/jobs/run_tasks.h"
 #include "tools/lists/excluded_file.h"
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 

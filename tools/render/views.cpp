@@ -22,10 +22,6 @@ using ViewJson = nlohmann::json;
 
 constexpr std::int32_t largest_side = 65536; // pixels
 
-[[noreturn]] void fail(ErrorCode code, const std::string& place, const std::string& message) {
-  throw Error(code, place, message);
-}
-
 // --- A line of a list -------------------------------------------------------------------------------------
 
 struct Line {
@@ -131,16 +127,16 @@ Boxd camera_places(const SceneFile& scene) {
 Crop parse_crop(const char* option, const std::string& text) {
   std::array<std::int32_t, 4> c{};
   if (!read_numbers(text, ',', c) || c[0] < 0 || c[1] < 0 || c[2] < 1 || c[3] < 1)
-    fail(ErrorCode::usage, option, fmt::format("'{}' isn't X,Y,W,H with at least one pixel", text));
+    throw Error(ErrorCode::usage, option, fmt::format("'{}' isn't X,Y,W,H with at least one pixel", text));
   return {c[0], c[1], c[2], c[3]};
 }
 
 RayWindow window_of(const Crop& crop, const Camera& camera, Sampling sampling, const char* option) {
   if (crop.x >= camera.width || crop.y >= camera.height || crop.width > camera.width - crop.x ||
       crop.height > camera.height - crop.y)
-    fail(ErrorCode::usage, option,
-         fmt::format("{},{},{},{} isn't within a picture of {}x{}", crop.x, crop.y, crop.width, crop.height,
-                     camera.width, camera.height));
+    throw Error(ErrorCode::usage, option,
+                fmt::format("{},{},{},{} isn't within a picture of {}x{}", crop.x, crop.y, crop.width,
+                            crop.height, camera.width, camera.height));
   const std::int32_t more = sampling == Sampling::corners ? 1 : 0;
   return {crop.x, crop.y, crop.width + more, crop.height + more};
 }
@@ -166,15 +162,15 @@ std::vector<View> parse_views(const std::string& text, const std::string& name, 
     views.push_back({line.name().value_or(""), camera});
     lines.push_back(line.place);
   }
-  if (views.empty()) fail(ErrorCode::input, name, "has no view: give a JSON object per line");
+  if (views.empty()) throw Error(ErrorCode::input, name, "has no view: give a JSON object per line");
   std::unordered_map<std::string, std::size_t> known; // names
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].name.empty()) views[i].name = index_name(i, views.size());
     const auto [first, is_new] = known.emplace(views[i].name, i);
     if (!is_new)
-      fail(ErrorCode::input, lines[i],
-           fmt::format("name '{}' is that of {}: give each view a name of its own", views[i].name,
-                       lines[first->second]));
+      throw Error(ErrorCode::input, lines[i],
+                  fmt::format("name '{}' is that of {}: give each view a name of its own", views[i].name,
+                              lines[first->second]));
   }
   return views;
 }
@@ -213,9 +209,9 @@ std::vector<std::string> file_names(const std::string& pattern, const std::vecto
     replace("{index}", index_name(i, views.size()));
     replace("{name}", views[i].name);
     if (!known.insert(name).second)
-      fail(ErrorCode::usage, pattern,
-           fmt::format("would be written by each of {} views: put {{index}} or {{name}} into it",
-                       views.size()));
+      throw Error(ErrorCode::usage, pattern,
+                  fmt::format("would be written by each of {} views: put {{index}} or {{name}} into it",
+                              views.size()));
     names.push_back(std::move(name));
   }
   return names;

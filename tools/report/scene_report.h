@@ -5,8 +5,6 @@
 #include "libscene/mesh/files/mesh_file.h"
 #include "tools/common/cli.h"
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
 namespace masu {

@@ -15,8 +15,7 @@ std::vector<CutSegment> outline_of(const SceneFile& scene, const SlicePlane& pla
                                    double deviation) {
   const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
   const PlaneCut cut{plane.axis, plane.position, window.min, window.max, deviation * longer, scene.origin()};
-  return scene.is_float64() ? plane_cut_of(scene.view<double>(), cut)
-                            : plane_cut_of(scene.view<float>(), cut);
+  return scene.with_view([&](const auto& view) { return plane_cut_of(view, cut); });
 }
 
 SliceCellsJson slice_cells_json(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,

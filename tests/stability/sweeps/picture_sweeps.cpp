@@ -4,8 +4,6 @@
 #include "stability/sweeps/sweep.h"
 #include "tests/picture_scenes.h"
 
-#include <memory>
-
 namespace masu::stability {
 namespace {
 

@@ -58,6 +58,11 @@ std::vector<double> powers_of_ten(int from, int to, int by) {
     powers.push_back(std::pow(10.0, exponent));
   return powers;
 }
+std::vector<double> zero_and_powers_of_ten(int from, int to, int by) {
+  std::vector<double> steps = powers_of_ten(from, to, by);
+  steps.insert(steps.begin(), 0);
+  return steps;
+}
 
 template <class Stored>
 TestScene<Stored> random_scene(Chance& chance, const Vec3d& at, double size, Kinds kinds) {

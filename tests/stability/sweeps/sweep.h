@@ -8,7 +8,6 @@
 
 #include <iosfwd>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -104,8 +103,12 @@ Ray<double> ray_towards(const Vec3d& from, const Vec3d& to);
 template <class Stored>
 Ray<double> ray_along(const Vec3d& from, const Vec3d& direction);
 
-// Powers of ten, `by` exponents apart.
+// Powers of ten, `by` exponents apart; and with 0 before them.
 std::vector<double> powers_of_ten(int from, int to, int by = 1);
+std::vector<double> zero_and_powers_of_ten(int from, int to, int by = 1);
+
+// A point whose coordinates have no special binary representation.
+inline constexpr Vec3d somewhere{0.8347, -1, 0.6113};
 
 // What scenes are made of; triangles alone can be traced by Embree, too.
 enum class Kinds { all, triangles };

@@ -19,19 +19,17 @@ Trial<Stored> rays_at_edges(Chance& chance, Mesh<double> mesh, const Vec3d& at, 
   return trial;
 }
 
-const Vec3d aside{0.8347, -1, 0.6113};
-
 template <class Stored>
 Trial<Stored> in_a_cube(Chance& chance, double parameter, std::size_t rays) {
-  return rays_at_edges<Stored>(chance, cube(), aside * parameter, 1, rays);
+  return rays_at_edges<Stored>(chance, cube(), somewhere * parameter, 1, rays);
 }
 template <class Stored>
 Trial<Stored> in_a_ball(Chance& chance, double parameter, std::size_t rays) {
-  return rays_at_edges<Stored>(chance, octahedron(chance, 2, 0.2), aside * parameter, 1, rays);
+  return rays_at_edges<Stored>(chance, octahedron(chance, 2, 0.2), somewhere * parameter, 1, rays);
 }
 template <class Stored>
 Trial<Stored> in_a_fan(Chance& chance, double parameter, std::size_t rays) {
-  return rays_at_edges<Stored>(chance, double_fan(chance, 60), aside * parameter, 1, rays);
+  return rays_at_edges<Stored>(chance, double_fan(chance, 60), somewhere * parameter, 1, rays);
 }
 // A random kind of mesh, of the parameter's size.
 template <class Stored>
@@ -69,7 +67,7 @@ Trial<Stored> left_scaled(Chance& chance, double parameter, std::size_t rays) {
 }
 template <class Stored>
 Trial<Stored> left_moved(Chance& chance, double parameter, std::size_t rays) {
-  return bodies<Stored>(chance, aside * parameter, 1, rays);
+  return bodies<Stored>(chance, somewhere * parameter, 1, rays);
 }
 
 // A slab of some width and a tenth as thick, turned anyhow, and three balls of size 1 above it or sunk into

@@ -6,9 +6,6 @@
 namespace masu::stability {
 namespace {
 
-// A point whose coordinates have no special binary representation.
-const Vec3d somewhere{0.8347, -1, 0.6113};
-
 template <class Stored, Kinds kinds = Kinds::all>
 Trial<Stored> moved(Chance& chance, double parameter, std::size_t rays) {
   const Vec3d at = somewhere * parameter;
@@ -44,13 +41,10 @@ template <class Stored>
 Trial<Stored> ball_on_a_floor(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial = ball_from_afar<Stored>(chance, parameter, rays);
   const double far = 1.5 * parameter;
-  trial.scene.triangles = {triangle_of<Stored>({static_cast<Stored>(-far), static_cast<Stored>(-far), -2},
-                                               {static_cast<Stored>(far), static_cast<Stored>(-far), -2},
-                                               {0, static_cast<Stored>(far), -2}),
-                           triangle_of<Stored>({static_cast<Stored>(-far), static_cast<Stored>(-far), -2},
-                                               {static_cast<Stored>(-far), static_cast<Stored>(-far),
-                                                static_cast<Stored>(2 * far)},
-                                               {0, static_cast<Stored>(-far), static_cast<Stored>(far)})};
+  const auto corner = [](double x, double y, double z) { return cast<Stored>(Vec3d{x, y, z}); };
+  trial.scene.triangles = {
+      triangle_of<Stored>(corner(-far, -far, -2), corner(far, -far, -2), corner(0, far, -2)),
+      triangle_of<Stored>(corner(-far, -far, -2), corner(-far, -far, 2 * far), corner(0, -far, far))};
   return trial;
 }
 
@@ -82,9 +76,6 @@ Trial<Stored> started(Chance& chance, double parameter, std::size_t rays) {
 } // namespace
 
 std::vector<Sweep> place_sweeps() {
-  std::vector<double> starts{0};
-  for (const double power : powers_of_ten(-8, 10, 2))
-    starts.push_back(power);
   const Sweep of_moved{.name = "moved",
                        .parameter = "distance of a scene of size 1 from the origin",
                        .float32_steps = powers_of_ten(0, 8),
@@ -102,7 +93,7 @@ std::vector<Sweep> place_sweeps() {
                         .float64 = scaled<double>};
   const Sweep of_starts{.name = "start",
                         .parameter = "distance from a surface at which rays begin, scene of size 1",
-                        .float32_steps = starts,
+                        .float32_steps = zero_and_powers_of_ten(-8, 10, 2),
                         .float32 = started<float>,
                         .robust = {1e-4, 1e10}};
   return {

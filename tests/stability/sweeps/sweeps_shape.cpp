@@ -163,17 +163,10 @@ Trial<Stored> duplicated(Chance& chance, double parameter, std::size_t rays) {
   return trial;
 }
 
-std::vector<double> down_to_zero() {
-  std::vector<double> steps{0};
-  for (const double power : powers_of_ten(-8, 0))
-    steps.push_back(power);
-  return steps;
-}
-
 } // namespace
 
 std::vector<Sweep> shape_sweeps() {
-  const std::vector<double> down = powers_of_ten(-8, 0), to_zero = down_to_zero();
+  const std::vector<double> down = powers_of_ten(-8, 0), to_zero = zero_and_powers_of_ten(-8, 0);
   const Sweep grazing{.name = "grazing",
                       .parameter = "angle between ray and surface, radians",
                       .float32_steps = down,

@@ -146,8 +146,7 @@ Trial<Stored> inside_rough_surface(Chance& chance, double parameter, std::size_t
 } // namespace
 
 std::vector<Sweep> store_sweeps() {
-  std::vector<double> to_zero = powers_of_ten(-9, -2);
-  to_zero.insert(to_zero.begin(), 0);
+  const std::vector<double> to_zero = zero_and_powers_of_ten(-9, -2);
   return {
       {.name = "specks",
        .parameter = "size of triangles and spheres that stand alone, scene of size 3",

@@ -4,61 +4,55 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace masu {
 namespace {
 
-constexpr auto values_of(Precision) {
-  return std::array{Precision::fast, Precision::robust, Precision::doubled};
-}
-constexpr auto values_of(StopRule) {
-  return std::array{StopRule::proven, StopRule::first_cell};
-}
-constexpr auto values_of(StructureKind) {
-  return std::array{StructureKind::uniform, StructureKind::x, StructureKind::balance,
-                    StructureKind::irregular, StructureKind::hierarchy};
-}
-constexpr auto values_of(Overlap) {
-  return std::array{Overlap::box, Overlap::exact};
+template <class Value>
+using Names = std::vector<std::pair<const char*, Value>>;
+template <class Value>
+const Names<Value> names_of{};
+template <>
+const Names<Precision> names_of<Precision>{
+    {"fast", Precision::fast}, {"robust", Precision::robust}, {"double", Precision::doubled}};
+template <>
+const Names<StopRule> names_of<StopRule>{{"proven", StopRule::proven},
+                                         {"first-cell-hit", StopRule::first_cell}};
+template <>
+const Names<StructureKind> names_of<StructureKind>{{"none", StructureKind::uniform},
+                                                   {"x", StructureKind::x},
+                                                   {"balance", StructureKind::balance},
+                                                   {"irregular", StructureKind::irregular},
+                                                   {"bvh", StructureKind::hierarchy}};
+template <>
+const Names<Overlap> names_of<Overlap>{{"box", Overlap::box}, {"exact", Overlap::exact}};
+
+template <class Value>
+const char* known_name(Value value) {
+  return std::ranges::find(names_of<Value>, value, &Names<Value>::value_type::second)->first;
 }
 
 } // namespace
 
 const char* name_of(StopRule stop) {
-  return stop == StopRule::proven ? "proven" : "first-cell-hit";
+  return known_name(stop);
 }
-
 const char* name_of(StructureKind merge) {
-  switch (merge) {
-  case StructureKind::automatic:
-    return "auto";
-  case StructureKind::uniform:
-    return "none";
-  case StructureKind::x:
-    return "x";
-  case StructureKind::balance:
-    return "balance";
-  case StructureKind::irregular:
-    return "irregular";
-  case StructureKind::hierarchy:
-    return "bvh";
-  case StructureKind::fastest:
-    return "fastest";
-  }
-  return "";
+  return known_name(merge);
 }
-
 const char* name_of(Overlap overlap) {
-  return overlap == Overlap::box ? "box" : "exact";
+  return known_name(overlap);
 }
 
 template <class Value>
 Value named(const std::string& text) {
   std::string names;
-  for (const Value value : values_of(Value{})) {
-    if (text == name_of(value)) return value;
-    names += (names.empty() ? "" : ", ") + std::string(name_of(value));
+  for (const auto& [name, value] : names_of<Value>) {
+    if (text == name) return value;
+    names += (names.empty() ? "" : ", ") + std::string(name);
   }
   throw Error(ErrorCode::usage, text, "isn't one of " + names);
 }

@@ -5,7 +5,6 @@
 #include "renderer/tracer/tracer.h"
 
 #include <string>
-#include <vector>
 
 namespace masu {
 

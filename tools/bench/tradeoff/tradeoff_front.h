@@ -12,13 +12,8 @@ struct Merit {
   double speed, error;
 };
 
-// Whether `a` is at least as good in both, and better in one.
-inline bool dominates(const Merit& a, const Merit& b) {
-  return a.speed >= b.speed && a.error <= b.error && (a.speed > b.speed || a.error < b.error);
-}
-
-// Indices of those that none dominates, in order of falling speed, and so of falling error. Of equals, the
-// first.
+// Indices of those that none dominates (is at least as good in both, and better in one), in order of falling
+// speed, and so of falling error. Of equals, the first.
 std::vector<std::size_t> pareto_front(const std::vector<Merit>& merits);
 
 // Closest hits: millions of rays a second, and the fraction of wrong hits.
