@@ -13,8 +13,6 @@ struct Vertices {
   const double* doubles = nullptr;
   std::size_t count = 0;
   std::span<const std::uint32_t> indices{}; // three per triangle, below `count`; empty: one after the other
-
-  const void* numbers() const { return floats != nullptr ? static_cast<const void*>(floats) : doubles; }
 };
 
 } // namespace masu

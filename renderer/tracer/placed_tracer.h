@@ -23,8 +23,6 @@ struct PlacementMoves {
   std::size_t count = 0;
   const std::uint32_t* indices = nullptr; // of each the placement's number; null: of all, in their order
   bool are_square = false;                // 16 numbers each: with a last row of 0 0 0 1, which isn't read
-
-  const void* numbers() const { return floats != nullptr ? static_cast<const void*>(floats) : doubles; }
 };
 
 // Queries change nothing in it, and threads may query at the same time.

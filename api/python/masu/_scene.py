@@ -85,7 +85,7 @@ class Primitive(NamedTuple):
 class Faults(NamedTuple):
     """How many there are of a kind, and the first of them, at most 8: a face as a primitive's index, an edge as that of a
     triangle and the corner, 0 to 2, from which it runs to the next one."""
-    count: int
+    count: int  # type: ignore[assignment]
     examples: List[Any]
 
 
