@@ -43,7 +43,8 @@ struct JoinedBox {
       : planes(__builtin_shufflevector(box.low, -box.high, 0, 1, 2, 3, 4, 5, 6, 7)) {}
   void join(const JoinedBox& other) { planes = planes < other.planes ? planes : other.planes; }
   LaneBox box() const {
-    return {__builtin_shufflevector(planes, planes, 0, 1, 2, 3), -__builtin_shufflevector(planes, planes, 4, 5, 6, 7)};
+    return {__builtin_shufflevector(planes, planes, 0, 1, 2, 3),
+            -__builtin_shufflevector(planes, planes, 4, 5, 6, 7)};
   }
 };
 
