@@ -210,6 +210,22 @@ struct OfTriangles {
   }
 };
 
+OfTriangles of_triangles(const auto& triangles, const Vec3d& origin, const ProgressMonitor* progress) {
+  return gathered<OfTriangles>(triangles, progress, [&](const auto& stored, auto& part, std::size_t) {
+    const SceneTriangle t = relative_to(origin, widened(stored));
+    const Boxd box = bounds(t);
+    if (has_surface(widened(t))) part.box = join(part.box, box);
+    part.rounding = std::max(part.rounding, rounding_of(t));
+    part.least = std::min(part.least, extent(box));
+  });
+}
+// Those without a surface lie at a corner of one that has one, and belong to it.
+OfTriangles of_triangles(const MeshTriangles& triangles, const Vec3d& origin, const ProgressMonitor*) {
+  if (!(triangles.least_extent() < std::numeric_limits<double>::infinity())) return {};
+  // Half, since what is subtracted from its corners may round their distances.
+  return {relative_to(origin, triangles.box()), 0, triangles.least_extent() / 2};
+}
+
 struct Found {
   double rounding = 0;
   std::uint64_t small = 0, moved = 0;
@@ -232,14 +248,7 @@ Float32Precision float32_precision(const SceneSpans<Stored, Triangles>& scene,
         return largest_magnitude(cast<double>(light.position) - scene.origin) <= max_float32_reach;
       });
   const auto moved = [&](const auto& record) { return relative_to(scene.origin, widened(record)); };
-  const auto triangles =
-      gathered<OfTriangles>(scene.triangles, progress, [&](const auto& stored, auto& part, std::size_t) {
-        const SceneTriangle t = moved(stored);
-        const Boxd box = bounds(t);
-        if (has_surface(widened(t))) part.box = join(part.box, box);
-        part.rounding = std::max(part.rounding, rounding_of(t));
-        part.least = std::min(part.least, extent(box));
-      });
+  const OfTriangles triangles = of_triangles(scene.triangles, scene.origin, progress);
   const auto box_of = [&](const auto& stored) { return bounds(moved(stored)); };
   const Boxd box =
       join(triangles.box, join(joined_boxes(scene.spheres, box_of), joined_boxes(scene.cones, box_of)));

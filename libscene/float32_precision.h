@@ -54,8 +54,9 @@ SceneSpans<Stored> spans_of(const SceneView<Stored>& view, const Lighting<Stored
           {lighting.lights, lighting.light_count}};
 }
 
-// Coordinates must be finite. Takes time for one pass over the scene; if there are small triangles, for two
-// more, and about 100 bytes for each.
+// Coordinates must be finite. Takes time for one pass over the scene, but for triangles of meshes, of which
+// enough is known, except the rounding; if there are small triangles, for two more, and about 100 bytes for
+// each.
 //
 // A part is a sphere, a cone, or triangles that share corners. Parts with a triangle larger than twice the
 // margin aren't counted: their small triangles belong to a surface that no ray slips through, and a ray that

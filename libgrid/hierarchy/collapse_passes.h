@@ -12,6 +12,7 @@
 #include "libgrid/hierarchy/node_boxes.h"
 #include "libgrid/structure/structure.h"
 #include "libgrid/structure/unit_costs.h"
+#include "libscene/base/fetch.h"
 #include "libscene/passes/passes.h"
 
 #include <utility>
@@ -97,6 +98,12 @@ struct BinaryHierarchy {
 struct BinaryView {
   const BinaryNode* nodes;
   const CollapseChoice* choices;
+
+  // What is soon looked at of a pair.
+  MASU_ALWAYS_INLINE void prefetch_pair(std::uint32_t left) const {
+    prefetch(reinterpret_cast<const BinaryNode(*)[2]>(nodes + left));
+    prefetch(choices + left);
+  }
 };
 
 // The binary nodes that a node's boxes are of, and which of them are nodes again.
@@ -128,6 +135,7 @@ MASU_HD inline CollapsedNode collapsed(const BinaryView& binary, std::uint32_t r
       continue;
     }
     const std::uint32_t left = binary.nodes[part.number].index, to_left = choice.to_left(part.boxes);
+    binary.prefetch_pair(left);
     stack[height++] = {left + 1, part.boxes - to_left};
     stack[height++] = {left, to_left};
   }
@@ -189,6 +197,10 @@ struct CollapsedLevel {
   ArrayOf<Executor, std::uint32_t> sizes{};       // nodes in the subtree
 };
 
+// So many nodes before one is collapsed or written, what it is made from is prefetched: the binary nodes of a
+// level lie far apart.
+inline constexpr std::uint64_t nodes_ahead = 4;
+
 template <class Executor>
 CollapsedLevel<Executor> collapsed_level(Executor& executor, const BinaryView& binary,
                                          ArrayOf<Executor, std::uint32_t> roots) {
@@ -198,7 +210,11 @@ CollapsedLevel<Executor> collapsed_level(Executor& executor, const BinaryView& b
   level.nodes = executor.template array<CollapsedNode>(count);
   CollapsedNode* const node = level.nodes.data();
   const std::uint32_t* const root = level.roots.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { node[i] = collapsed(binary, root[i]); });
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    if (i + 2 * nodes_ahead < count) binary.prefetch_pair(root[i + 2 * nodes_ahead]);
+    if (i + nodes_ahead < count) binary.prefetch_pair(binary.nodes[root[i + nodes_ahead]].index);
+    node[i] = collapsed(binary, root[i]);
+  });
   level.first_child =
       sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) { return count_bits(node[i].nodes); });
   return level;
@@ -252,7 +268,11 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
   NodePlace* const child_place = child_places.data();
   HierarchyNode* const nodes = structure.nodes.data();
   PrimitiveIndex* const references = structure.references.data();
-  executor.for_each(level.roots.size(), [=] MASU_PASS(std::uint64_t i) {
+  const std::uint64_t count = level.roots.size();
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    if (const std::uint64_t next = i + nodes_ahead; next < count)
+      for (std::uint32_t slot = 0; slot < node[next].count; ++slot)
+        prefetch(binary.nodes + node[next].boxes[slot]);
     const std::uint32_t children = first_child[i + 1] - first_child[i];
     NodePlace next{place[i].first_node, place[i].first_node + children, place[i].first_reference};
     next.first_reference += write_node(binary, root[i], node[i], place[i], nodes, references);

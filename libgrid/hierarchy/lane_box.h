@@ -33,6 +33,21 @@ struct LaneBox {
   }
 };
 
+// A box whose upper planes are negated: it takes one minimum to join another.
+struct JoinedBox {
+  using Lanes8 = float __attribute__((vector_size(32)));
+  Lanes8 planes = {INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY};
+
+  JoinedBox() = default;
+  explicit JoinedBox(const LaneBox& box)
+      : planes(__builtin_shufflevector(box.low, -box.high, 0, 1, 2, 3, 4, 5, 6, 7)) {}
+  void join(const JoinedBox& other) { planes = planes < other.planes ? planes : other.planes; }
+  LaneBox box() const {
+    return {__builtin_shufflevector(planes, planes, 0, 1, 2, 3),
+            -__builtin_shufflevector(planes, planes, 4, 5, 6, 7)};
+  }
+};
+
 // A box in each lane.
 struct BoxLanes {
   Lanes4 low[3], high[3];

@@ -71,29 +71,24 @@ private:
 
 // What a bin of each axis holds: the join of boxes, and how many things begin and end there.
 struct AxisBin { // NOLINT(cppcoreguidelines-pro-type-member-init): cleared before it is used
-  Lanes4 low[3], high[3];
+  JoinedBox boxes_of[3];
   std::int32_t begin[4], end[4];
 
   void clear() {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = LaneBox{}.low;
-      high[axis] = LaneBox{}.high;
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      boxes_of[axis] = {};
     for (int axis = 0; axis < 4; ++axis)
       begin[axis] = end[axis] = 0;
   }
-  void join(int axis, const LaneBox& box) {
-    low[axis] = smaller(low[axis], box.low);
-    high[axis] = larger(high[axis], box.high);
-  }
+  void join(int axis, const LaneBox& box) { boxes_of[axis].join(JoinedBox(box)); }
   void join(const AxisBin& other) {
     for (int axis = 0; axis < 3; ++axis) {
-      join(axis, other.box(axis));
+      boxes_of[axis].join(other.boxes_of[axis]);
       begin[axis] += other.begin[axis];
       end[axis] += other.end[axis];
     }
   }
-  LaneBox box(int axis) const { return {low[axis], high[axis]}; }
+  LaneBox box(int axis) const { return boxes_of[axis].box(); }
   BoxLanes boxes() const { return {box(0), box(1), box(2)}; }
   static WholeLanes4 lanes_of(const std::int32_t (&counts)[4]) {
     return WholeLanes4{counts[0], counts[1], counts[2], counts[3]};

@@ -9,6 +9,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace masu {
 namespace {
@@ -16,12 +17,15 @@ namespace {
 // Of a range of triangles.
 struct Found {
   std::size_t wrong = none, first_surface = none;
-  Boxd box = empty_box<double>(); // of those that have a surface
+  // Of those that have a surface.
+  Boxd box = empty_box<double>();
+  double least_extent = std::numeric_limits<double>::infinity();
 
   static constexpr std::size_t none = ~std::size_t{0};
 };
 Found join(const Found& a, const Found& b) {
-  return {std::min(a.wrong, b.wrong), std::min(a.first_surface, b.first_surface), join(a.box, b.box)};
+  return {std::min(a.wrong, b.wrong), std::min(a.first_surface, b.first_surface), join(a.box, b.box),
+          std::min(a.least_extent, b.least_extent)};
 }
 
 Found found_in(const IndexedMesh& mesh, std::size_t begin, std::size_t end) {
@@ -33,7 +37,9 @@ Found found_in(const IndexedMesh& mesh, std::size_t begin, std::size_t end) {
     if (!is_coordinate(a) || !is_coordinate(b) || !is_coordinate(c)) return join(found, Found{i});
     if (!has_distinct_corners(a, b, c)) continue;
     if (found.first_surface == Found::none) found.first_surface = i;
-    found.box = join(join(join(found.box, a), b), c);
+    const Boxd box = join(join(Boxd{a, a}, b), c);
+    found.box = join(found.box, box);
+    found.least_extent = min(found.least_extent, largest_magnitude(box.max - box.min));
   }
   return found;
 }
@@ -96,6 +102,7 @@ MeshTriangles::MeshTriangles(std::span<const IndexedMesh> meshes, const Progress
                               m, found.wrong));
     if (is_empty(box_) && !is_empty(found.box)) place_ = mesh.vertex(mesh.index(3 * found.first_surface));
     box_ = join(box_, found.box);
+    least_extent_ = std::min(least_extent_, found.least_extent);
     ends_.push_back(size() + mesh.triangles);
   }
   if (size() > 0 && is_empty(box_)) box_ = {place_, place_};

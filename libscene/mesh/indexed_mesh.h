@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <span>
 
 namespace masu {
@@ -49,6 +50,8 @@ public:
   }
   // Of all; empty where there are none.
   const Boxd& box() const { return box_; }
+  // Of those that have a surface the least one's longest side along an axis; infinite where there are none.
+  double least_extent() const { return least_extent_; }
 
 private:
   std::size_t mesh_of(std::size_t i) const {
@@ -59,6 +62,7 @@ private:
   std::vector<std::size_t> ends_; // by mesh, of its triangles
   Vec3d place_{0, 0, 0};          // of those without a surface
   Boxd box_ = empty_box<double>();
+  double least_extent_ = std::numeric_limits<double>::infinity();
 };
 
 // An object: spheres or cones.

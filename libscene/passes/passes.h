@@ -30,11 +30,12 @@ Part joined_in_order(Executor& executor, std::uint64_t count, const Of& of) {
   const std::uint64_t parts_count = (count + share - 1) / share;
   auto parts = executor.template array<Part>(parts_count);
   Part* const part = parts.data();
-  executor.for_each(parts_count, [=] MASU_PASS(std::uint64_t first) {
-    Part own{};
-    for (std::uint64_t i = first; i < count; i += parts_count)
-      own = join(own, of(i));
-    part[first] = own;
+  executor.for_each_part(parts_count, [=] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
+    for (std::uint64_t first = begin; first != end; ++first)
+      part[first] = join(Part{}, of(first));
+    for (std::uint64_t row = parts_count; row < count; row += parts_count)
+      for (std::uint64_t first = begin; first != end && row + first < count; ++first)
+        part[first] = join(part[first], of(row + first));
   });
   if (parts_count == 0) return {};
   if (parts_count == 1) return executor.value(parts, 0);

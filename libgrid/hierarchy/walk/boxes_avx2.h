@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/hierarchy/hierarchy.h"
+#include "libscene/base/fetch.h"
 #include "libscene/geometry/lanes.h"
 
 #include <immintrin.h>
@@ -161,14 +162,6 @@ template <class Act>
 MASU_ALWAYS_INLINE void each_bit(unsigned bits, const Act& act) {
   for (; bits != 0; bits &= bits - 1)
     act(std::countr_zero(bits));
-}
-
-// Records of which none has more than two cache lines. Inline always: GCC 12 takes calls of a function that
-// only prefetches for calls without effect, and drops them.
-template <class Record>
-MASU_ALWAYS_INLINE void prefetch(const Record* record) {
-  __builtin_prefetch(record);
-  __builtin_prefetch(reinterpret_cast<const char*>(record + 1) - 1);
 }
 
 // The most that a walk has ahead.
