@@ -75,8 +75,8 @@ struct AxisBin { // NOLINT(cppcoreguidelines-pro-type-member-init): cleared befo
   std::int32_t begin[4], end[4];
 
   void clear() {
-    for (int axis = 0; axis < 3; ++axis)
-      boxes_of[axis] = {};
+    for (JoinedBox& boxes : boxes_of)
+      boxes = {};
     for (int axis = 0; axis < 4; ++axis)
       begin[axis] = end[axis] = 0;
   }

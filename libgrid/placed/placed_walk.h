@@ -33,7 +33,7 @@ struct PlacedWalk {
   // As HierarchyWalk's, and the following.
   template <class Stored, class Visitor>
   MASU_HD bool advance(const PlacedRay<Stored>& seen, HierarchyStack& stack, Visitor& visitor) {
-    HierarchyNode node;
+    HierarchyNode node; // NOLINT(cppcoreguidelines-pro-type-member-init): written where it is read
     if (comes_to_node(seen, stack, visitor, node)) {
       const MetBoxes met = boxes_met(node, origin, walk.inverse, visitor.farthest(), outwards);
       visitor.counts.cell(met.bits == 0);
@@ -98,6 +98,7 @@ private:
   MASU_HD static HierarchyGroup mark() {
     return {none, 0};
   }
+
   // Enters a placement, or shows the visitor what stands beside them.
   template <class Stored, class Visitor>
   MASU_HD void visit_item(const PlacedRay<Stored>& seen, const HierarchyNode& node, HierarchyStack& stack,
@@ -165,7 +166,7 @@ MASU_HD inline void visit(const PlacedRay<Stored>& seen, const ClippedRay<Real>&
                           std::uint32_t primitives, Visitor& visitor) {
   if (seen.placed.is_brute_force) return visit_all_placed(seen, primitives, visitor);
   HierarchyStack stack;
-  PlacedWalk<Real> walk;
+  PlacedWalk<Real> walk{};
   walk.begin(seen, near, stack);
   while (walk.advance(seen, stack, visitor)) {
   }

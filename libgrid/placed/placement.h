@@ -73,6 +73,7 @@ struct alignas(16) ItemNode {
 };
 static_assert(sizeof(ItemNode) == sizeof(HierarchyNode));
 
+// `placement`: null of what stands beside them.
 template <class Stored>
 MASU_HD inline HierarchyNode item_node(std::uint32_t item, const Placement<Stored>* placement) {
   ItemNode node{};

@@ -78,7 +78,7 @@ constexpr bool needs_order = !requires(const Visitor& visitor) {
   visitor.found();
 };
 
-struct NoMarks {};
+struct NoMarks {}; // on the stack: empty groups, of which only walks through placed meshes have any
 
 // A walk under way.
 template <class Real>
