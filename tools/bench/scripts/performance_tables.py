@@ -112,14 +112,11 @@ def fastest(results, scene):
     return f"{scene}-bvh" if "nodes" in results["runs"]["fastest"][scene]["output"] else scene
 
 
-def fastest_rates(results, scene):
-    """Mray/s of primary, diffuse and random rays through it, by the loop that `auto` takes."""
-    rows = results["runs"]["rays"][scene]["output"]
-    found = []
-    for kind in ("primary", "diffuse", "random"):
-        auto, *loops = [row for row in rows if row["rays"] == kind and row["grid"] == f"{fastest(results, scene)}.grid"]
-        found += [row["mrays_per_second"] for row in loops if row["loop"] == auto["loop"]]
-    return found
+def rates(results, scene, grid):
+    """Mray/s of primary, diffuse and random rays by the loop `auto`, which is measured first."""
+    rows = [row for row in results["runs"]["rays"][scene]["output"] if row["grid"] == f"{grid}.grid"]
+    return [next(row["mrays_per_second"] for row in rows if row["rays"] == kind)
+            for kind in ("primary", "diffuse", "random")]
 
 
 def ms(make):
@@ -165,15 +162,9 @@ def tables(results):
             rows.append([processor, "geometric mean", "", "", *(figure(lambda: mean(rule), "{:.3f}") for rule in CHOICES)])
         return table(["for", "scene", "`fastest` takes", "the fastest", *(f"`{rule}`" for rule in CHOICES)], rows)
 
-    def measured(name, grid, kind):
-        """By one set of rays: the loop that `auto` takes, and Mray/s of each loop."""
-        auto, *rows = [row for row in output("rays", name) if row["rays"] == kind and row["grid"] == f"{grid}.grid"]
-        return auto["loop"], {row["loop"]: row["mrays_per_second"] for row in rows}
-
     def hierarchies():
         def speeds(s, grid):
-            found = [measured(s, grid, kind) for kind in ("primary", "diffuse", "random")]
-            return ", ".join(f"{each[taken]:.0f}" for taken, each in found)
+            return ", ".join(f"{rate:.0f}" for rate in rates(results, s, grid))
         rows = [[s, *(cell for grid in (s, f"{s}-bvh") for cell in (
                     figure(lambda: speeds(s, grid), "{}"), megabytes(f"{grid}.grid"),
                     ms(lambda: seconds("hierarchies", grid))))] for s in LARGE]
@@ -182,9 +173,10 @@ def tables(results):
     def peers():
         rows = []
         for s, peer in PEERS.items():
-            rates, taken = fastest_rates(results, s), fastest(results, s)
-            ratio = lambda name: ", ".join(f"{ours / theirs:.2f}" for ours, theirs in zip(rates, peer[name]))
-            rows.append([s, "irregular" if taken == s else "`bvh`", ", ".join(f"{rate:.0f}" for rate in rates),
+            taken = fastest(results, s)
+            own = rates(results, s, taken)
+            ratio = lambda name: ", ".join(f"{ours / theirs:.2f}" for ours, theirs in zip(own, peer[name]))
+            rows.append([s, "irregular" if taken == s else "`bvh`", ", ".join(f"{rate:.0f}" for rate in own),
                          ", ".join(f"{rate:.0f}" for rate in peer["cwbvh"]),
                          ratio("cwbvh"), ratio("cubql"), ratio("optix"), ratio("hagrid"), ratio("hagrid_best"),
                          f"{(size[f'{taken}.grid'] + 48 * primitives(s)) * 1e-6:.0f}, {peer['cwbvh_mb'][0]:.0f}"])
