@@ -31,6 +31,14 @@ Part joined_in_order(Executor& executor, std::uint64_t count, const Of& of) {
   auto parts = executor.template array<Part>(parts_count);
   Part* const part = parts.data();
   executor.for_each_part(parts_count, [=] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
+    if (end - begin == 1) { // a thread's on a device: in registers
+      Part own{};
+      for (std::uint64_t i = begin; i < count; i += parts_count)
+        own = join(own, of(i));
+      part[begin] = own;
+      return;
+    }
+    // Along memory.
     for (std::uint64_t first = begin; first != end; ++first)
       part[first] = join(Part{}, of(first));
     for (std::uint64_t row = parts_count; row < count; row += parts_count)
