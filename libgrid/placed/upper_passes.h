@@ -61,7 +61,8 @@ struct UpperArrays {
     for (;;) {
       const std::int32_t before = shared_bits(first), after = shared_bits(last + 1);
       if (before < 0 && after < 0) break;
-      const bool is_left = after > before; // they are never equal: see the reference
+      const bool is_left =
+          after > before; // never equal: of numbers in order none shares as many with both sides
       const std::uint32_t number = is_left ? last : first - 1;
       RangeNode& node = tree[number];
       (is_left ? node.left : node.right) = content;
