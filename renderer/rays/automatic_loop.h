@@ -1,5 +1,5 @@
 // The loop by which a GPU traces a list of rays fastest: through a hierarchy chosen on the GPU
-// (renderer/cuda/loop_choice.h), through a grid found out by tracing a few of them.
+// (renderer/cuda/rays/loop_choice.h), through a grid found out by tracing a few of them.
 #pragma once
 
 #include "renderer/tracer/tracer.h"

@@ -51,9 +51,10 @@ void check_query(const RayList& rays, const RayResults& results, const RaysReque
 
 // How a GPU schedules rays. thread_per_ray: a thread traces one ray to its end, and a warp's threads wait for
 // each other at every cell. warp: its threads share the primitive tests of its rays. warp_refill: besides,
-// idle threads fetch the next ray (renderer/cuda/warp_tracing.h), and where most rays miss the scene's bounds
-// those are sorted out first (renderer/cuda/culling.h). automatic: through a hierarchy the first or the last
-// of these, chosen on the GPU (renderer/cuda/loop_choice.h); else warp_refill. Hits are the same.
+// idle threads fetch the next ray (renderer/cuda/rays/warp_tracing.h), and where most rays miss the scene's
+// bounds those are sorted out first (renderer/cuda/rays/culling.h). automatic: through a hierarchy the first
+// or the last of these, chosen on the GPU (renderer/cuda/rays/loop_choice.h); else warp_refill. Hits are the
+// same.
 enum class RayLoop : std::int32_t { thread_per_ray, warp, warp_refill, automatic };
 
 inline constexpr std::uint32_t max_hits_per_ray = 0x7fffffff;

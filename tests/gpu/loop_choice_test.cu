@@ -1,5 +1,5 @@
 // The loop that a GPU chooses for a list through a hierarchy, by how its rays run.
-#include "renderer/cuda/loop_choice.h"
+#include "renderer/cuda/rays/loop_choice.h"
 
 #include "libscene/cuda/cuda_device.h"
 #include "stability/random_seed.h"

@@ -6,7 +6,7 @@
 
 #include "libgrid/placed/placed_packet.h"
 #include "renderer/cuda/placed/placed.h"
-#include "renderer/cuda/tracing.h"
+#include "renderer/cuda/rays/tracing.h"
 #include "renderer/rays/placed_rays.h"
 
 namespace masu {

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "renderer/cuda/device_method.h"
-#include "renderer/cuda/hierarchy_rays.h"
 #include "renderer/cuda/ray_batch.h"
-#include "renderer/cuda/warp_tracing.h"
+#include "renderer/cuda/rays/hierarchy_rays.h"
+#include "renderer/cuda/rays/warp_tracing.h"
 
 namespace masu {
 

@@ -1,4 +1,4 @@
-#include "renderer/cuda/tracing.h"
+#include "renderer/cuda/rays/tracing.h"
 
 namespace masu {
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "renderer/cuda/kernel.h"
-#include "renderer/cuda/straggler_queue.h"
+#include "renderer/cuda/rays/straggler_queue.h"
 
 namespace masu {
 

@@ -8,9 +8,9 @@
 #include "libgrid/hierarchy/walk/lane_groups.h"
 #include "libgrid/hierarchy/walk/packet_begin.h"
 #include "libgrid/hierarchy/walk/walks_in_use.h"
-#include "renderer/cuda/loop_choice.h"
-#include "renderer/cuda/straggler_queue.h"
-#include "renderer/cuda/warp_rays.h"
+#include "renderer/cuda/rays/loop_choice.h"
+#include "renderer/cuda/rays/straggler_queue.h"
+#include "renderer/cuda/rays/warp_rays.h"
 
 namespace masu {
 
