@@ -14,6 +14,7 @@
 
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/leaf_passes.h"
+#include "libgrid/placed/bounds_search.h"
 #include "libgrid/placed/placed_walk.h"
 #include "libgrid/placed/upper_passes.h"
 #include "libscene/base/error.h"
@@ -64,112 +65,6 @@ PlacedView<Stored> view_of(const PlacedParts<Stored>& parts, const PlacedArrays<
           parts.world_count,
           is_brute_force};
 }
-
-// How far a box reaches beyond another, along any axis; not positive where that contains it.
-template <class Stored>
-MASU_HD inline Stored reach_beyond(const Box<Stored>& box, const Box<Stored>& other) {
-  const Vec3<Stored> low = box.min - other.min, high = other.max - box.max;
-  return max(max(max(low.x, low.y), low.z), max(max(high.x, high.y), high.z));
-}
-
-// A search for the bounds of all triangles of a placement, as they are stored, by a group of threads.
-template <class Stored>
-struct BoundsSearch {
-  struct Held { // a box that there is something below
-    std::uint32_t node, slot;
-  };
-  // What the group shares: boxes that wait, the nodes it is at, and how far their boxes reach beyond the
-  // bounds.
-  static constexpr std::uint32_t most_nodes = 4;
-  struct Scratch {
-    Held stack[max_hierarchy_depth * (most_nodes * boxes_per_node - 1) + 1];
-    std::uint32_t nodes[most_nodes];
-    Stored reaches[most_nodes * boxes_per_node];
-  };
-  MeshArrays<Stored> meshes;
-  Placement<Stored> placement;
-  Box<Stored> bounds; // all that is known, alike in all threads
-
-  // Of what reaches beyond the bounds that first which reaches farthest; of a large group each eight threads
-  // look into a node.
-  template <class Group>
-  MASU_HD void run(const Group& group, Scratch& scratch) {
-    if (group.thread_rank() == 0) scratch.nodes[0] = placement.root;
-    for (std::uint32_t height = 0, count = 1;;) {
-      group.sync();
-      Box<Stored> own = bounds;
-      for (std::uint32_t box = group.thread_rank(); box < count * boxes_per_node; box += group.size())
-        scratch.reaches[box] =
-            look_into(meshes.nodes[scratch.nodes[box / boxes_per_node]], box % boxes_per_node, own);
-      bounds = joined_by(group, own);
-      group.sync();
-      height = hold(group, count * boxes_per_node, height, scratch);
-      group.sync();
-      height = drop(group, scratch, height);
-      if (height == 0) return;
-      count = min(height, max(min(group.size() / boxes_per_node, most_nodes), 1U));
-      if (group.thread_rank() < count) {
-        const Held next = scratch.stack[height - 1 - group.thread_rank()];
-        const HierarchyNode& above = meshes.nodes[next.node];
-        scratch.nodes[group.thread_rank()] = node_in(above.first_node, node_slots(above), next.slot);
-      }
-      height -= count;
-    }
-  }
-
-private:
-  MASU_HD Stored reach(const HierarchyNode& node, std::uint32_t slot) const {
-    return reach_beyond(
-        bounds, placed_box(placement, cast<Stored>(box_around(box_of(node, static_cast<int>(slot)), 0))));
-  }
-  // How far a node below reaches beyond the bounds; triangles are joined to `own`.
-  MASU_HD Stored look_into(const HierarchyNode& node, std::uint32_t slot, Box<Stored>& own) const {
-    const std::uint32_t held = slot_byte(node.slots, static_cast<int>(slot));
-    const Stored beyond = held != 0 ? reach(node, slot) : Stored{0};
-    if (!(beyond > 0)) return 0;
-    if ((node_slots(node) >> slot & 1) != 0) return beyond;
-    const std::uint32_t begin = node.first_reference + references_begin(held);
-    for (std::uint32_t i = begin; i < begin + references_in(held); ++i) {
-      const Triangle<Stored> triangle = placed_surface(placement, meshes.leaves[i].record);
-      if (has_surface(triangle)) own = join(own, masu::bounds(triangle));
-    }
-    return 0;
-  }
-  // Puts the nodes' boxes that reach beyond onto the stack, the one that reaches farthest on top.
-  template <class Group>
-  MASU_HD static std::uint32_t hold(const Group& group, std::uint32_t boxes, std::uint32_t height,
-                                    Scratch& scratch) {
-    std::uint32_t holding = 0;
-    for (std::uint32_t k = 0; k < boxes; ++k)
-      holding += scratch.reaches[k] > 0;
-    for (std::uint32_t box = group.thread_rank(); box < boxes; box += group.size()) {
-      const Stored own = scratch.reaches[box];
-      if (!(own > 0)) continue;
-      std::uint32_t nearer = 0;
-      for (std::uint32_t k = 0; k < boxes; ++k)
-        nearer +=
-            scratch.reaches[k] > 0 && (scratch.reaches[k] < own || (scratch.reaches[k] == own && k > box));
-      scratch.stack[height + nearer] = {scratch.nodes[box / boxes_per_node], box % boxes_per_node};
-    }
-    return height + holding;
-  }
-  // Drops what no longer reaches beyond the bounds from the top of the stack; each thread looks at one.
-  template <class Group>
-  MASU_HD std::uint32_t drop(const Group& group, const Scratch& scratch, std::uint32_t height) const {
-    for (;;) {
-      const std::uint32_t rank = group.thread_rank();
-      bool reaches = false;
-      if (rank < height) {
-        const Held held = scratch.stack[height - 1 - rank];
-        reaches = reach(meshes.nodes[held.node], held.slot) > 0;
-      }
-      const std::uint32_t bits = group.all_bits(reaches ? 1U << rank : 0U);
-      if (bits != 0) return height - lowest_bit(bits);
-      if (height <= group.size()) return 0;
-      height -= group.size();
-    }
-  }
-};
 
 // Of placements, before they are known to be sound.
 template <class Stored>
@@ -335,13 +230,12 @@ struct UpperItems {
   }
 };
 
-// Throws Error(usage, "placements", …) for a transform that has no inverse or isn't finite, and for what
-// reaches farther than the store or a hierarchy holds.
+// Inverts, surveys and pads the placements, and finds their bounds. Of those that aren't sound nothing else
+// is known.
 template <class Executor, class Stored>
-PlacedArrays<Executor, Stored> placed(Executor& executor, const PlacedParts<Stored>& parts,
-                                      const Transform* transforms) {
-  PlacedArrays<Executor, Stored> made{executor.template array<Placement<Stored>>(parts.count)};
-  Placement<Stored>* const placements = made.placements.data();
+ArrayOf<Executor, PlacedFindings<Stored>> found_of(Executor& executor, const PlacedParts<Stored>& parts,
+                                                   const Transform* transforms,
+                                                   Placement<Stored>* placements) {
   auto listed_there = executor.template array<std::uint32_t>(parts.count + std::uint64_t{1});
   auto bounds_there = executor.template array<Box<Stored>>(parts.count);
   std::uint32_t *const listed_count = listed_there.data(), *const listed = listed_count + 1;
@@ -354,36 +248,48 @@ PlacedArrays<Executor, Stored> placed(Executor& executor, const PlacedParts<Stor
   const std::uint32_t groups = min(parts.count, 4096U); // fill any device; few are listed
   executor.for_each_by_group(
       groups, SearchListed<Stored>{parts, survey, placements, listed, listed_count, bounds, groups});
-  const auto found_there = executor.template joined<PlacedFindings<Stored>>(
+  return executor.template joined<PlacedFindings<Stored>>(
       parts.count, FindingsOf<Stored>{survey, far_there.data(), listed_count, bounds});
+}
 
-  // What is wrong. On a device all is queued before the host waits for it.
-  const auto check = [&] {
-    const auto fail = [](const std::string& what) { throw Error(ErrorCode::usage, "placements", what); };
-    const PlacedFindings<Stored> found = executor.value(found_there, 0);
-    if (const std::uint32_t singular = found.survey.first_singular; singular != no_primitive)
-      fail("number " + std::to_string(singular) + " " + not_invertible);
-    const auto check_reach = [&](const Boxd& box) {
-      if (!reaches_within<Stored>(box) || largest_magnitude(padded_bounds<Stored>(box)) > max_hierarchy_reach)
-        fail("reach farther from the scene's origin than its store or a hierarchy holds");
-    };
-    const Boxd around = around_all(parts, found.survey);
-    if (!is_empty(around) && largest_magnitude(around) > 2 * max_hierarchy_reach) check_reach(around);
-    if (found.far.number != no_primitive)
-      fail("number " + std::to_string(found.far.number) +
-           " shrinks its mesh too much for how far the scene reaches");
-    made.bounds = bounds_of_all(parts, found);
-    check_reach(made.bounds);
+// bounds_of_all(). Throws Error(usage, "placements", …) for a transform that has no inverse or isn't finite,
+// and for what reaches farther than the store or a hierarchy holds.
+template <class Stored>
+Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedFindings<Stored>& found) {
+  const auto fail = [](const std::string& what) { throw Error(ErrorCode::usage, "placements", what); };
+  if (const std::uint32_t singular = found.survey.first_singular; singular != no_primitive)
+    fail("number " + std::to_string(singular) + " " + not_invertible);
+  const auto check_reach = [&](const Boxd& box) {
+    if (!reaches_within<Stored>(box) || largest_magnitude(padded_bounds<Stored>(box)) > max_hierarchy_reach)
+      fail("reach farther from the scene's origin than its store or a hierarchy holds");
   };
-  if constexpr (!Executor::has_warps) check();
+  const Boxd around = around_all(parts, found.survey);
+  if (!is_empty(around) && largest_magnitude(around) > 2 * max_hierarchy_reach) check_reach(around);
+  if (found.far.number != no_primitive)
+    fail("number " + std::to_string(found.far.number) +
+         " shrinks its mesh too much for how far the scene reaches");
+  const Boxd bounds = bounds_of_all(parts, found);
+  check_reach(bounds);
+  return bounds;
+}
 
+// Throws as checked_bounds() does. A device is given all there is to do before the host waits for it, and
+// what it needs meanwhile is given back before, too: that takes the host as long as a pass.
+template <class Executor, class Stored>
+PlacedArrays<Executor, Stored> placed(Executor& executor, const PlacedParts<Stored>& parts,
+                                      const Transform* transforms) {
+  PlacedArrays<Executor, Stored> made{executor.template array<Placement<Stored>>(parts.count)};
+  Placement<Stored>* const placements = made.placements.data();
+  const auto found = found_of(executor, parts, transforms, placements);
+  const auto check = [&] { made.bounds = checked_bounds(parts, executor.value(found, 0)); };
+  if constexpr (!Executor::has_warps) check();
   const std::uint64_t items =
       parts.count + parts.beside.sphere_count + std::uint64_t{parts.beside.cone_count};
   const std::uint32_t worlds = parts.world_count + 1;
   const int world_bits = static_cast<int>(std::bit_width(worlds));
-  const UpperItems<Stored> upper{parts, placements, found_there.data()};
-  const auto sorted = executor.sorted(items, world_bits + code_bits, upper);
-  std::tie(made.upper_nodes, made.roots) = upper_hierarchies(executor, sorted, worlds, upper);
+  const UpperItems<Stored> upper{parts, placements, found.data()};
+  std::tie(made.upper_nodes, made.roots) =
+      upper_hierarchies(executor, executor.sorted(items, world_bits + code_bits, upper), worlds, upper);
   if constexpr (Executor::has_warps) check();
   return made;
 }

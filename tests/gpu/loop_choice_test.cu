@@ -30,14 +30,16 @@ protected:
     for (;;)
       if (const Vec3d one = direction(); dot(one, other) >= std::cos(angle * 3.14159265 / 180)) return one;
   }
-  // Of warps whose rays run within an angle of a direction each; so many of a hundred meet the scene, a cube
-  // of side 2.
+  // As those of ambient occlusion lie about a normal.
+  Vec3d direction_about(const Vec3d& normal) { return normalized(normal + direction()); }
+  // Of warps whose rays run within an angle of a direction each, or for 0 about it as about a normal; so many
+  // of a hundred meet the scene, a cube of side 2.
   std::vector<Ray<float>> rays(std::size_t warps, double angle, int percent) {
     std::vector<Ray<float>> list;
     for (std::size_t warp = 0; warp < warps; ++warp) {
       const Vec3d axis = direction();
       for (int lane = 0; lane < lanes_per_warp; ++lane) {
-        const Vec3d along = direction_near(axis, angle),
+        const Vec3d along = angle > 0 ? direction_near(axis, angle) : direction_about(axis),
                     within{uniform(-.9, .9), uniform(-.9, .9), uniform(-.9, .9)};
         const Vec3d from = within - along * 5.0,
                     away = uniform(0, 100) < percent ? Vec3d{} : Vec3d{50, 50, 50};
@@ -87,10 +89,11 @@ TEST_F(LoopChoice, RaysThatRunAllWaysAreFetched) {
   EXPECT_EQ(choice<Query::occlusion>(all_ways), RayLoop::warp_refill);
 }
 
-TEST_F(LoopChoice, ForAnyHitRaysOfOneSideAreAlike) {
+TEST_F(LoopChoice, ForAnyHitRaysOfOneSideAreAlikeButNotThoseAboutANormal) {
   const std::vector<Ray<float>> one_side = rays(1000, 44, 100);
   EXPECT_EQ(choice<Query::nearest_hit>(one_side), RayLoop::warp_refill);
   EXPECT_EQ(choice<Query::occlusion>(one_side), RayLoop::thread_per_ray);
+  EXPECT_EQ(choice<Query::occlusion>(rays(1000, 0, 100)), RayLoop::warp_refill);
 }
 
 TEST_F(LoopChoice, WhereFewRaysMeetTheSceneNothingIsFetched) {

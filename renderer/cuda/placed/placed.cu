@@ -21,7 +21,6 @@ DeviceFilesOf<Stored> with_placements(const DeviceFilesOf<Stored>& from, const P
   files.scene.view.clip = cast<Stored>(padded_bounds<Stored>(arrays.bounds));
   files.placements = std::make_shared<const PlacedOnDevice<Stored>>(
       PlacedOnDevice<Stored>{parts, parts_memory, std::move(transforms), std::move(arrays), is_brute_force});
-  check(cudaStreamSynchronize(from.memory.stream));
   return files;
 }
 
