@@ -2,8 +2,8 @@
 // leaves as leaf_split.h has it. The CPU builds the same one depth first (top_down_host.h).
 //
 //   1. split    of each node's leaves by where their centres are
-//   2. sort     leaves by the node of the next level that they are in, else in their order; 1 and 2 until
-//               each is alone
+//   2. sort     each node's leaves, in its place, by the node of the next level that they are in, else in
+//               their order; 1 and 2 until each is alone
 //   3. combine  boxes and costs, from the lowest level up
 //
 // No byte of the result depends on the executor or its number of threads.
@@ -189,9 +189,11 @@ struct BinaryLevel {
   SplitNodes split_nodes() const { return {leaves, ranges.data(), first_child.data()}; }
 };
 
-// Leaves sorted by their ranges in a level, but for those that are alone.
+// Leaves sorted by their ranges in a level. What is in the place of one that is alone isn't read any more,
+// but for its range: none.
 template <class Executor>
 struct LeafOrder {
+  static constexpr std::uint32_t none = ~0U;
   ArrayOf<Executor, std::uint32_t> leaves{}, ranges{};
 
   LeafOrder(const Executor& executor, std::uint64_t count)
@@ -203,6 +205,7 @@ struct LeafOrder {
 template <class Executor>
 BinaryLevel<Executor> split_level(Executor& executor, std::uint32_t most, BinaryLevel<Executor>& level,
                                   LeafOrder<Executor>& order) {
+  constexpr std::uint32_t none = LeafOrder<Executor>::none;
   const std::uint64_t range_count = level.ranges.size(), count = order.leaves.size();
   auto splits = executor.template array<LeafSplit>(range_count);
   const BinaryNode* const leaf = level.leaves;
@@ -214,7 +217,8 @@ BinaryLevel<Executor> split_level(Executor& executor, std::uint32_t most, Binary
   level.first_child = sums_before(executor, range_count,
                                   [=] MASU_PASS(std::uint64_t i) { return range[i].count > 1 ? 2U : 0U; });
   const auto left_sums = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
-    return split[range_of[i]].is_left(leaf[ordered_leaf[i]]);
+    const std::uint32_t own = range_of[i];
+    return own != none && split[own].is_left(leaf[ordered_leaf[i]]);
   });
   const std::uint32_t *const first_child = level.first_child.data(), *const left_before = left_sums.data();
   const std::uint64_t child_count = executor.value(level.first_child, range_count);
@@ -231,33 +235,33 @@ BinaryLevel<Executor> split_level(Executor& executor, std::uint32_t most, Binary
       left = in_range / 2;
     }
     const std::uint32_t at = first_child[i];
-    child[at].count = left;
-    child[at + 1].count = in_range - left;
+    child[at] = {first, left};
+    child[at + 1] = {first + left, in_range - left};
     const SplitSpaces spaces(space[i], split[i]);
     child_space[at] = spaces.left;
     child_space[at + 1] = spaces.right;
   });
-  const auto places = sums_before(executor, child_count, [=] MASU_PASS(std::uint64_t i) {
-    return child[i].count > 1 ? child[i].count : 0U;
-  });
-  LeafOrder<Executor> next(executor, executor.value(places, child_count));
-  const std::uint32_t* const place = places.data();
+  LeafOrder<Executor> next(executor, count);
   std::uint32_t *const next_leaf = next.leaves.data(), *const next_range_of = next.ranges.data();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    const std::uint32_t own = range_of[i], first = range[own].first, left_child = first_child[own];
-    const auto in_range = static_cast<std::uint32_t>(i) - first;
-    const bool halved = split[own].axis < 0;
-    const std::uint32_t left = halved ? std::min(in_range, child[left_child].count)
-                                      : left_before[i] - left_before[first]; // before it
-    const bool is_left = halved ? in_range < child[left_child].count : left_before[i + 1] != left_before[i];
-    const std::uint32_t to = left_child + (is_left ? 0 : 1), before = is_left ? left : in_range - left;
-    if (child[to].count == 1) {
-      child[to].first = ordered_leaf[i];
+    const std::uint32_t own = range_of[i];
+    if (own == none) {
+      next_range_of[i] = none;
       return;
     }
-    if (before == 0) child[to].first = place[to];
-    next_leaf[place[to] + before] = ordered_leaf[i];
-    next_range_of[place[to] + before] = to;
+    const std::uint32_t first = range[own].first, left_child = first_child[own],
+                        in_range = static_cast<std::uint32_t>(i) - first;
+    const std::uint32_t in_left = child[left_child].count;
+    const bool halved = split[own].axis < 0;
+    const std::uint32_t left =
+        halved ? std::min(in_range, in_left) : left_before[i] - left_before[first]; // before it
+    const bool is_left = halved ? in_range < in_left : left_before[i + 1] != left_before[i];
+    const std::uint32_t to = left_child + (is_left ? 0 : 1),
+                        at = first + (is_left ? left : in_left + in_range - left);
+    const bool is_alone = child[to].count == 1;
+    next_range_of[at] = is_alone ? none : to;
+    next_leaf[at] = ordered_leaf[i];
+    if (is_alone) child[to].first = ordered_leaf[i];
   });
   order = std::move(next);
   level.spaces = {};
