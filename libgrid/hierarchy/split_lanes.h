@@ -10,14 +10,19 @@
 
 namespace masu {
 
-// A node in registers: its box, and in the last lanes the rest.
+// A node in registers: its box, and in the last lanes the rest. Each half is copied alone, as both at once go by
+// way of the stack.
 inline LaneBox box_of(const BinaryNode& node) {
+  const auto* const halves = reinterpret_cast<const Lanes4*>(&node);
   LaneBox record;
-  std::memcpy(static_cast<void*>(&record), &node, sizeof node);
+  std::memcpy(&record.low, halves, sizeof record.low);
+  std::memcpy(&record.high, halves + 1, sizeof record.high);
   return record;
 }
 inline void put(const LaneBox& record, BinaryNode& to) {
-  std::memcpy(static_cast<void*>(&to), &record, sizeof to);
+  auto* const halves = reinterpret_cast<Lanes4*>(&to);
+  std::memcpy(halves, &record.low, sizeof record.low);
+  std::memcpy(halves + 1, &record.high, sizeof record.high);
 }
 
 // Calls act(a constant) for an axis; not for none.
