@@ -150,34 +150,36 @@ private:
   // With some for fragments that are added: a range that needs more moves elsewhere.
   static std::size_t places_for(std::uint32_t count) { return std::size_t{count} + count / 4; }
 
-  // Adds to `sum` what add(sum, fragment) makes of each, in parallel for many; joins in any order.
-  template <class Sum, class Add>
-  Sum summed(const FragmentRange& range, const Sum& none, const Add& add) const {
-    const auto added = [&](const BinaryNode* begin, const BinaryNode* end, Sum& sum) {
+  // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many, joined in any order. It is made
+  // in its place: sums are large for small ranges.
+  template <class Sum, class Add, class... Of>
+  Sum summed(const FragmentRange& range, const Add& add, Of... of) const {
+    Sum sum(of...);
+    const auto added = [&](const BinaryNode* begin, const BinaryNode* end, Sum& to) {
       for (std::uint32_t i = 1; begin != end; ++begin, ++i) {
         if (i % fragments_per_check == 0) check_progress(progress_);
-        add(sum, *begin);
+        add(to, *begin);
       }
     };
     if (range.count <= fragments_per_task) {
-      Sum sum = none;
       added(range.begin(), range.end(), sum);
-      return sum;
+    } else {
+      sum = tbb::parallel_reduce(
+          tbb::blocked_range<const BinaryNode*>(range.begin(), range.end(), fragments_per_task), sum,
+          [&](const auto& part, Sum so_far) {
+            added(part.begin(), part.end(), so_far);
+            return so_far;
+          },
+          [&](Sum a, const Sum& b) {
+            a.join(b);
+            return a;
+          });
     }
-    return tbb::parallel_reduce(
-        tbb::blocked_range<const BinaryNode*>(range.begin(), range.end(), fragments_per_task), none,
-        [&](const auto& part, Sum so_far) {
-          added(part.begin(), part.end(), so_far);
-          return so_far;
-        },
-        [&](Sum a, const Sum& b) {
-          a.join(b);
-          return a;
-        });
+    return sum;
   }
 
   Extent extent_of(const FragmentRange& range) const {
-    return summed(range, Extent{}, [](Extent& extent, const BinaryNode& fragment) { extent.add(fragment); });
+    return summed<Extent>(range, [](Extent& extent, const BinaryNode& fragment) { extent.add(fragment); });
   }
 
   // The cheapest split by centres.
@@ -201,7 +203,7 @@ private:
     return split;
   }
   ObjectSplit object_split_of_many(const FragmentRange& range, const Binning& binning) const {
-    Bins bins = summed(range, Bins(binning.count()), [&](Bins& sum, const BinaryNode& fragment) {
+    const auto add = [&](Bins& sum, const BinaryNode& fragment) {
       const LaneBox box = box_of(fragment);
       const WholeLanes4 in = binning.bins_of(box.twice_the_centre());
       for (int axis = 0; axis < 3; ++axis) {
@@ -209,7 +211,8 @@ private:
         bin.join(axis, box);
         ++bin.begin[axis];
       }
-    });
+    };
+    Bins bins = summed<Bins>(range, add, binning.count());
     for (int i = 0; i < bins.count; ++i)
       std::copy_n(bins.of[i].begin, 4, bins.of[i].end);
     const AxisSplit cheapest = cheapest_split(bins.of, bins.count);
@@ -235,26 +238,26 @@ private:
 
   // Along which axes (-1) there may be a split by planes that costs less than this.
   WholeLanes4 axes_worth_splitting(const FragmentRange& range, const Binning& binning, float cost) const {
-    const SpatialBounds bounds =
-        summed(range, SpatialBounds(binning.count()), [&](SpatialBounds& sum, const BinaryNode& fragment) {
-          const LaneBox box = box_of(fragment);
-          const WholeLanes4 first = binning.bins_of(box.low), last = binning.bins_of(box.high);
-          // Whether it certainly has something on either side of each plane.
-          const WholeLanes4 crosses =
-              (box.low + slack_ < binning.planes(first)) & (binning.planes(last - 1) < box.high - slack_);
-          for (int axis = 0; axis < 3; ++axis) {
-            AxisBin &left = sum.left.of[last[axis]], &right = sum.right.of[first[axis]];
-            ++sum.left.of[first[axis]].begin[axis];
-            ++sum.right.of[last[axis]].end[axis];
-            if (first[axis] != last[axis]) {
-              if (!is_whole_triangle(fragment)) continue;
-              sum.left.of[first[axis]].end[axis] -= crosses[axis];
-              left.end[axis] += crosses[axis];
-            }
-            left.join(axis, box);
-            right.join(axis, box);
-          }
-        });
+    const auto add = [&](SpatialBounds& sum, const BinaryNode& fragment) {
+      const LaneBox box = box_of(fragment);
+      const WholeLanes4 first = binning.bins_of(box.low), last = binning.bins_of(box.high);
+      // Whether it certainly has something on either side of each plane.
+      const WholeLanes4 crosses =
+          (box.low + slack_ < binning.planes(first)) & (binning.planes(last - 1) < box.high - slack_);
+      for (int axis = 0; axis < 3; ++axis) {
+        AxisBin &left = sum.left.of[last[axis]], &right = sum.right.of[first[axis]];
+        ++sum.left.of[first[axis]].begin[axis];
+        ++sum.right.of[last[axis]].end[axis];
+        if (first[axis] != last[axis]) {
+          if (!is_whole_triangle(fragment)) continue;
+          sum.left.of[first[axis]].end[axis] -= crosses[axis];
+          left.end[axis] += crosses[axis];
+        }
+        left.join(axis, box);
+        right.join(axis, box);
+      }
+    };
+    const auto bounds = summed<SpatialBounds>(range, add, binning.count());
     BoxLanes rights[bins_in_space]; // of all from a bin on
     WholeLanes4 right_counts[bins_in_space];
     const auto from = [&](int bin) -> const AxisBin& { return bounds.right.of[bin]; };
@@ -290,7 +293,7 @@ private:
   AxisSplit spatial_split(const FragmentRange& range, const Binning& binning, float cost) const {
     const WholeLanes4 axes = axes_worth_splitting(range, binning, cost);
     if (axes[0] == 0 && axes[1] == 0 && axes[2] == 0) return {};
-    const Bins bins = summed(range, Bins(binning.count()), [&](Bins& sum, const BinaryNode& fragment) {
+    const auto add = [&](Bins& sum, const BinaryNode& fragment) {
       const LaneBox box = box_of(fragment);
       const WholeLanes4 first = binning.bins_of(box.low) & axes, last = binning.bins_of(box.high) & axes;
       bool is_in_one = true;
@@ -309,7 +312,8 @@ private:
       for (int axis = 0; axis < 3; ++axis)
         if (first[axis] != last[axis] && holds_something(rest[axis]))
           sum.of[last[axis]].join(axis, rest[axis]);
-    });
+    };
+    const auto bins = summed<Bins>(range, add, binning.count());
     return cheapest_split(bins.of, bins.count);
   }
 
@@ -377,17 +381,17 @@ private:
   }
 
   CollapseCosts split(std::uint32_t number, const FragmentRange& range, int depth) {
-    const Extent extent = extent_of(range);
-    const Boxf box = boxf(extent.box);
     BinaryNode& node = nodes_[number];
-    node = {box.min, range.first->index, box.max, range.count};
-    if (range.count <= 1) {
+    if (range.count == 1) {
+      node = *range.first;
+      node.count = 1;
       return with_choice(number, collapse_costs_of_leaf(node));
     }
+    const Extent extent = extent_of(range);
+    const Boxf box = boxf(extent.box);
     HostArray<BinaryNode> moved;
     const Halves halves = halves_of(range, split_of(range, extent, depth), moved);
     const std::uint32_t left = used_.fetch_add(2);
-    node.index = left;
     CollapseCosts left_costs{}, right_costs{};
     const auto split_left = [&] { left_costs = split(left, halves.left, depth + 1); };
     const auto split_right = [&] { right_costs = split(left + 1, halves.right, depth + 1); };
@@ -400,7 +404,7 @@ private:
         (*progress_)(
             std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
     }
-    node.count = nodes_[left].count + nodes_[left + 1].count; // with what was divided below
+    node = {box.min, left, box.max, nodes_[left].count + nodes_[left + 1].count}; // with what was divided below
     return with_choice(number, collapse_costs(node, left_costs, right_costs));
   }
 
