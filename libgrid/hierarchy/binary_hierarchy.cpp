@@ -244,15 +244,14 @@ private:
       // Whether it certainly has something on either side of each plane.
       const WholeLanes4 crosses =
           (box.low + slack_ < binning.planes(first)) & (binning.planes(last - 1) < box.high - slack_);
+      const bool is_whole = is_whole_triangle(fragment);
       for (int axis = 0; axis < 3; ++axis) {
         AxisBin &left = sum.left.of[last[axis]], &right = sum.right.of[first[axis]];
         ++sum.left.of[first[axis]].begin[axis];
         ++sum.right.of[last[axis]].end[axis];
-        if (first[axis] != last[axis]) {
-          if (!is_whole_triangle(fragment)) continue;
-          sum.left.of[first[axis]].end[axis] -= crosses[axis];
-          left.end[axis] += crosses[axis];
-        }
+        if (!is_whole && first[axis] != last[axis]) continue;
+        sum.left.of[first[axis]].end[axis] -= crosses[axis]; // which comes to nothing where both are one
+        left.end[axis] += crosses[axis];
         left.join(axis, box);
         right.join(axis, box);
       }
