@@ -17,7 +17,8 @@ namespace masu {
 namespace {
 
 bool holds_something(const LaneBox& box) {
-  return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
+  const WholeLanes4 holds = box.low <= box.high;
+  return (holds[0] & holds[1] & holds[2]) != 0;
 }
 LaneBox common(const LaneBox& a, const LaneBox& b) {
   return {larger(a.low, b.low), smaller(a.high, b.high)};
@@ -62,19 +63,8 @@ struct Extent {
 
 // By centre: the fragments whose centres are in a bin, as many begin as end. By space: the parts in it of
 // fragments.
-struct Bins {
-  AxisBin of[most_bins];
-  int count;
-
-  explicit Bins(int count_) : count(count_) {
-    for (int i = 0; i < count; ++i)
-      of[i].clear();
-  }
-  void join(const Bins& other) {
-    for (int i = 0; i < count; ++i)
-      of[i].join(other.of[i]);
-  }
-};
+using BinsByCentre = AxisBins<most_bins>;
+using BinsInSpace = AxisBins<bins_in_space>;
 
 struct Binning {
   FragmentBins along[3];
@@ -97,9 +87,9 @@ struct ObjectSplit {
 };
 
 // Cuts what is left of a fragment across an axis where a bin ends, and adds to the bin what lies in it.
-void cut_off(const LaneSides& primitive, int axis, LaneBox& rest, AxisBin& bin) {
+void cut_off(const LaneSides& primitive, LaneBox& rest, CountedBox& bin) {
   const LaneBox below = common(primitive.below, rest);
-  if (holds_something(below)) bin.join(axis, below);
+  if (holds_something(below)) bin.join(CountedBox(below));
   rest = common(primitive.above, rest);
 }
 
@@ -107,11 +97,11 @@ void cut_off(const LaneSides& primitive, int axis, LaneBox& rest, AxisBin& bin) 
 template <class Primitive>
 __attribute__((flatten)) void cut_off_all(const Primitive& primitive, const Binning& binning,
                                           WholeLanes4 first, WholeLanes4 last, double margin,
-                                          LaneBox (&rest)[3], Bins& bins) {
+                                          LaneBox (&rest)[3], BinsInSpace& bins) {
   const ClippedLanes<Primitive> clipped(primitive);
   for (int axis = 0; axis < 3; ++axis)
     for (int bin = first[axis]; bin < last[axis]; ++bin)
-      cut_off(clipped.sides(axis, binning.along[axis].plane(bin), margin), axis, rest[axis], bins.of[bin]);
+      cut_off(clipped.sides(axis, binning.along[axis].plane(bin), margin), rest[axis], bins.along[axis][bin]);
 }
 
 template <class Stored>
@@ -145,21 +135,31 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t fragments_per_task = 1 << 14, fragments_per_check = 1 << 12;
+  static constexpr std::uint32_t fragments_per_task = 1 << 14, fragments_per_check = 1 << 12,
+                                 few_in_turns = 128;
+  static constexpr WholeLanes4 one = {1, 1, 1, 1};
 
   // With some for fragments that are added: a range that needs more moves elsewhere.
   static std::size_t places_for(std::uint32_t count) { return std::size_t{count} + count / 4; }
 
-  // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many, joined in any order. It is made
-  // in its place: sums are large for small ranges.
+  // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many, joined in any order. It is
+  // made in its place: sums are large for small ranges. Two take turns where fragments are not few: those in
+  // a row are often in one bin, and each waits for what the one before has written.
   template <class Sum, class Add, class... Of>
   Sum summed(const FragmentRange& range, const Add& add, Of... of) const {
     Sum sum(of...);
     const auto added = [&](const BinaryNode* begin, const BinaryNode* end, Sum& to) {
-      for (std::uint32_t i = 1; begin != end; ++begin, ++i) {
-        if (i % fragments_per_check == 0) check_progress(progress_);
-        add(to, *begin);
+      if (end - begin >= fragments_per_check) check_progress(progress_);
+      if (end - begin > few_in_turns) {
+        Sum odd(of...);
+        for (; end - begin > 1; begin += 2) {
+          add(to, begin[0]);
+          add(odd, begin[1]);
+        }
+        to.join(odd);
       }
+      for (; begin != end; ++begin)
+        add(to, *begin);
     };
     if (range.count <= fragments_per_task) {
       added(range.begin(), range.end(), sum);
@@ -203,23 +203,19 @@ private:
     return split;
   }
   ObjectSplit object_split_of_many(const FragmentRange& range, const Binning& binning) const {
-    const auto add = [&](Bins& sum, const BinaryNode& fragment) {
+    const auto add = [&](BinsByCentre& sum, const BinaryNode& fragment) {
       const LaneBox box = box_of(fragment);
       const WholeLanes4 in = binning.bins_of(box.twice_the_centre());
-      for (int axis = 0; axis < 3; ++axis) {
-        AxisBin& bin = sum.of[in[axis]];
-        bin.join(axis, box);
-        ++bin.begin[axis];
-      }
+      const CountedBox counted(box, one, one);
+      for (int axis = 0; axis < 3; ++axis)
+        sum.at(in, axis).join(counted);
     };
-    Bins bins = summed<Bins>(range, add, binning.count());
-    for (int i = 0; i < bins.count; ++i)
-      std::copy_n(bins.of[i].begin, 4, bins.of[i].end);
-    const AxisSplit cheapest = cheapest_split(bins.of, bins.count);
+    const auto bins = summed<BinsByCentre>(range, add, binning.count());
+    const AxisSplit cheapest = cheapest_split(bins);
     if (cheapest.axis < 0) return {};
     ObjectSplit split{cheapest, {}, {}};
     for (int i = 0; i < bins.count; ++i)
-      (i <= cheapest.number ? split.left : split.right).join(bins.of[i].box(cheapest.axis));
+      (i <= cheapest.number ? split.left : split.right).join(bins.along[cheapest.axis][i].box());
     return split;
   }
 
@@ -227,7 +223,9 @@ private:
   // as large as its box: so whichever of its sides holds all of them is as large as that. And where one
   // crosses a plane, both sides reach as far.
   struct SpatialBounds {
-    Bins left, right; // of left.of[bin].end as many cross a bin's plane more than the one's before
+    // By the last of the bins that a fragment is in, and by the first one. As many begin as there are, and
+    // end as cross a plane for certain.
+    BinsInSpace left, right;
 
     explicit SpatialBounds(int count) : left(count), right(count) {}
     void join(const SpatialBounds& other) {
@@ -246,35 +244,27 @@ private:
           (box.low + slack_ < binning.planes(first)) & (binning.planes(last - 1) < box.high - slack_);
       const bool is_whole = is_whole_triangle(fragment);
       for (int axis = 0; axis < 3; ++axis) {
-        AxisBin &left = sum.left.of[last[axis]], &right = sum.right.of[first[axis]];
-        ++sum.left.of[first[axis]].begin[axis];
-        ++sum.right.of[last[axis]].end[axis];
-        if (!is_whole && first[axis] != last[axis]) continue;
-        sum.left.of[first[axis]].end[axis] -= crosses[axis]; // which comes to nothing where both are one
-        left.end[axis] += crosses[axis];
-        left.join(axis, box);
-        right.join(axis, box);
+        const bool counts = is_whole || first[axis] == last[axis];
+        const CountedBox counted(counts ? box : LaneBox(), one,
+                                 counts ? WholeLanes4{} - crosses[axis] : WholeLanes4{});
+        sum.left.at(last, axis).join(counted);
+        sum.right.at(first, axis).join(counted);
       }
     };
     const auto bounds = summed<SpatialBounds>(range, add, binning.count());
-    BoxLanes rights[bins_in_space]; // of all from a bin on
-    WholeLanes4 right_counts[bins_in_space];
-    const auto from = [&](int bin) -> const AxisBin& { return bounds.right.of[bin]; };
-    for (int bin = binning.count() - 1; bin > 0; --bin) {
-      rights[bin] = from(bin).boxes();
-      right_counts[bin] = AxisBin::lanes_of(from(bin).end);
-      if (bin + 1 == binning.count()) continue;
-      rights[bin].join(rights[bin + 1]);
-      right_counts[bin] += right_counts[bin + 1];
+    CountedLanes right[bins_in_space], left; // right: of all from a bin on
+    for (int bin = binning.count(); bin-- > 0;) {
+      right[bin] = bounds.right.lanes(bin);
+      if (bin + 1 < binning.count()) right[bin].join(right[bin + 1]);
     }
-    BoxLanes left = bounds.left.of[0].boxes();
-    WholeLanes4 left_count{}, crossing{}, is_cheaper{};
+    const WholeLanes4 all = WholeLanes4{} + static_cast<std::int32_t>(range.count);
+    WholeLanes4 is_cheaper{};
     for (int bin = 0; bin + 1 < binning.count(); ++bin) {
-      left.join(bounds.left.of[bin].boxes());
-      left_count += AxisBin::lanes_of(bounds.left.of[bin].begin);
-      crossing += AxisBin::lanes_of(bounds.left.of[bin].end);
-      const WholeLanes4 right_count = right_counts[bin + 1];
-      BoxLanes up_to_plane = left, from_plane = rights[bin + 1];
+      left.join(bounds.left.lanes(bin));
+      const CountedLanes& rest = right[bin + 1];
+      const WholeLanes4 left_count = all - rest.begin(), right_count = all - left.begin(),
+                        crossing = right[0].end() - rest.end() - left.end();
+      BoxLanes up_to_plane = left.boxes(), from_plane = rest.boxes();
       const Lanes4 plane = binning.planes(WholeLanes4{} + bin);
       for (int axis = 0; axis < 3; ++axis) {
         if (crossing[axis] == 0) continue;
@@ -288,32 +278,41 @@ private:
     return is_cheaper;
   }
 
+  // What lies in each of the bins from `first` to `last` along each axis where these are several.
+  [[gnu::noinline]] void add_parts(const BinaryNode& fragment, const Binning& binning, WholeLanes4 first,
+                                   WholeLanes4 last, BinsInSpace& bins) const {
+    const LaneBox box = box_of(fragment);
+    LaneBox rest[3] = {box, box, box};
+    with_primitive(scene_, fragment.index, [&](const auto& primitive) {
+      cut_off_all(primitive, binning, first, last, margin_, rest, bins);
+    });
+    for (int axis = 0; axis < 3; ++axis)
+      if (first[axis] != last[axis] && holds_something(rest[axis]))
+        bins.at(last, axis).join(CountedBox(rest[axis]));
+  }
+
   // The cheapest split by planes, at which fragments are divided, if it may cost less than this.
   AxisSplit spatial_split(const FragmentRange& range, const Binning& binning, float cost) const {
     const WholeLanes4 axes = axes_worth_splitting(range, binning, cost);
     if (axes[0] == 0 && axes[1] == 0 && axes[2] == 0) return {};
-    const auto add = [&](Bins& sum, const BinaryNode& fragment) {
+    const auto add = [&](BinsInSpace& sum, const BinaryNode& fragment) {
       const LaneBox box = box_of(fragment);
       const WholeLanes4 first = binning.bins_of(box.low) & axes, last = binning.bins_of(box.high) & axes;
       bool is_in_one = true;
       for (int axis = 0; axis < 3; ++axis) {
         if (axes[axis] == 0) continue;
-        ++sum.of[first[axis]].begin[axis];
-        ++sum.of[last[axis]].end[axis];
-        if (first[axis] == last[axis]) sum.of[first[axis]].join(axis, box);
-        is_in_one = is_in_one && first[axis] == last[axis];
+        if (first[axis] == last[axis]) {
+          sum.at(first, axis).join(CountedBox(box, one, one));
+        } else {
+          sum.at(first, axis).join(CountedBox({}, one));
+          sum.at(last, axis).join(CountedBox({}, WholeLanes4{}, one));
+          is_in_one = false;
+        }
       }
-      if (is_in_one) return;
-      LaneBox rest[3] = {box, box, box};
-      with_primitive(scene_, fragment.index, [&](const auto& primitive) {
-        cut_off_all(primitive, binning, first, last, margin_, rest, sum);
-      });
-      for (int axis = 0; axis < 3; ++axis)
-        if (first[axis] != last[axis] && holds_something(rest[axis]))
-          sum.of[last[axis]].join(axis, rest[axis]);
+      if (!is_in_one) add_parts(fragment, binning, first, last, sum);
     };
-    const auto bins = summed<Bins>(range, add, binning.count());
-    return cheapest_split(bins.of, bins.count);
+    const auto bins = summed<BinsInSpace>(range, add, binning.count());
+    return cheapest_split(bins);
   }
 
   RangeSplit split_of(const FragmentRange& range, const Extent& extent, int depth) const {
@@ -403,7 +402,8 @@ private:
         (*progress_)(
             std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
     }
-    node = {box.min, left, box.max, nodes_[left].count + nodes_[left + 1].count}; // with what was divided below
+    node = {box.min, left, box.max,
+            nodes_[left].count + nodes_[left + 1].count}; // with what was divided below
     return with_choice(number, collapse_costs(node, left_costs, right_costs));
   }
 

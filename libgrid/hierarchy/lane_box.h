@@ -1,6 +1,8 @@
 // Boxes whose planes lie side by side: min and max of all axes take an instruction. Host only.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -33,18 +35,30 @@ struct LaneBox {
   }
 };
 
-// A box whose upper planes are negated: it takes one minimum to join another.
-struct JoinedBox {
+// Boxes joined, and numbers of what begins and ends with them: upper planes are negated, so that it takes one
+// minimum to join another box, and the numbers are in the lanes that planes leave.
+struct CountedBox {
   using Lanes8 = float __attribute__((vector_size(32)));
-  Lanes8 planes = {INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY};
+  using WholeLanes8 = std::int32_t __attribute__((vector_size(32)));
+  Lanes8 planes = {INFINITY, INFINITY, INFINITY, 0, INFINITY, INFINITY, INFINITY, 0};
 
-  JoinedBox() = default;
-  explicit JoinedBox(const LaneBox& box)
-      : planes(__builtin_shufflevector(box.low, -box.high, 0, 1, 2, 3, 4, 5, 6, 7)) {}
-  void join(const JoinedBox& other) { planes = planes < other.planes ? planes : other.planes; }
+  CountedBox() = default;
+  // The numbers are in all lanes.
+  explicit CountedBox(const LaneBox& box, WholeLanes4 begin = WholeLanes4{}, WholeLanes4 end = WholeLanes4{})
+      : planes(with_numbers(__builtin_shufflevector(box.low, -box.high, 0, 1, 2, 3, 4, 5, 6, 7),
+                            __builtin_shufflevector(begin, end, 0, 1, 2, 3, 4, 5, 6, 7))) {}
+  void join(const CountedBox& other) {
+    planes = with_numbers(planes < other.planes ? planes : other.planes, whole() + other.whole());
+  }
   LaneBox box() const {
     return {__builtin_shufflevector(planes, planes, 0, 1, 2, 3),
             -__builtin_shufflevector(planes, planes, 4, 5, 6, 7)};
+  }
+  WholeLanes8 whole() const { return std::bit_cast<WholeLanes8>(planes); }
+
+private:
+  static Lanes8 with_numbers(Lanes8 planes, WholeLanes8 numbers) {
+    return __builtin_shufflevector(planes, std::bit_cast<Lanes8>(numbers), 0, 1, 2, 11, 4, 5, 6, 15);
   }
 };
 
@@ -81,6 +95,39 @@ private:
     to[0] = __builtin_shufflevector(first, c, 0, 1, 4, 4);
     to[1] = __builtin_shufflevector(first, c, 2, 3, 5, 5);
     to[2] = __builtin_shufflevector(last, c, 0, 1, 6, 6);
+  }
+};
+
+// A counted box in each lane.
+struct CountedLanes {
+  CountedBox::Lanes8 planes[3]; // the upper ones come after the lower ones, negated
+  CountedBox::WholeLanes8 numbers{};
+
+  CountedLanes() { std::fill_n(planes, 3, CountedBox::Lanes8{} + INFINITY); }
+  // Of three; what is in the last lanes is ignored.
+  CountedLanes(const CountedBox& a, const CountedBox& b, const CountedBox& c) {
+    const auto first = __builtin_shufflevector(a.planes, b.planes, 0, 8, 1, 9, 4, 12, 5, 13),
+               last = __builtin_shufflevector(a.planes, b.planes, 2, 10, 3, 11, 6, 14, 7, 15);
+    planes[0] = __builtin_shufflevector(first, c.planes, 0, 1, 8, 8, 4, 5, 12, 12);
+    planes[1] = __builtin_shufflevector(first, c.planes, 2, 3, 9, 9, 6, 7, 13, 13);
+    planes[2] = __builtin_shufflevector(last, c.planes, 0, 1, 10, 10, 4, 5, 14, 14);
+    numbers = std::bit_cast<CountedBox::WholeLanes8>(
+        __builtin_shufflevector(last, c.planes, 2, 3, 11, 11, 6, 7, 15, 15));
+  }
+  void join(const CountedLanes& other) {
+    for (int axis = 0; axis < 3; ++axis)
+      planes[axis] = planes[axis] < other.planes[axis] ? planes[axis] : other.planes[axis];
+    numbers += other.numbers;
+  }
+  WholeLanes4 begin() const { return __builtin_shufflevector(numbers, numbers, 0, 1, 2, 3); }
+  WholeLanes4 end() const { return __builtin_shufflevector(numbers, numbers, 4, 5, 6, 7); }
+  BoxLanes boxes() const {
+    BoxLanes boxes;
+    for (int axis = 0; axis < 3; ++axis) {
+      boxes.low[axis] = __builtin_shufflevector(planes[axis], planes[axis], 0, 1, 2, 3);
+      boxes.high[axis] = -__builtin_shufflevector(planes[axis], planes[axis], 4, 5, 6, 7);
+    }
+    return boxes;
   }
 };
 
