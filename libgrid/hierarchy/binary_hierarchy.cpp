@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <utility>
 
 namespace masu {
@@ -80,6 +81,24 @@ struct Binning {
   // That end bins.
   Lanes4 planes(WholeLanes4 bin) const { return low + unit * __builtin_convertvector(bin + 1, Lanes4); }
 };
+
+// As std::partition() does, up to 64 of them; but it can't be predicted which one goes where.
+template <class IsLeft>
+std::uint32_t partitioned(BinaryNode* fragments, std::uint32_t count, const IsLeft& is_left) {
+  std::uint64_t lefts = 0; // a bit each
+  for (std::uint32_t i = 0; i < count; ++i)
+    lefts |= std::uint64_t{is_left(fragments[i])} << i;
+  const auto left = static_cast<std::uint32_t>(std::popcount(lefts));
+  const std::uint64_t places = left < 64 ? (std::uint64_t{1} << left) - 1 : ~std::uint64_t{0};
+  // As many are right of them as are wrong among them.
+  for (std::uint64_t to_left = lefts & ~places, to_right = places & ~lefts; to_right != 0;
+       to_right &= to_right - 1) {
+    const int last = 63 - std::countl_zero(to_left);
+    std::swap(fragments[std::countr_zero(to_right)], fragments[last]);
+    to_left ^= std::uint64_t{1} << last;
+  }
+  return left;
+}
 
 struct ObjectSplit {
   AxisSplit at; // numbered by the last bin that goes left
@@ -372,7 +391,9 @@ private:
     std::uint32_t left = 0;
     with_axis(split.at.axis, [&](auto axis) {
       const auto is_left = [&](const BinaryNode& fragment) { return split.is_left(fragment, axis); };
-      left = static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), is_left) - range.first);
+      left = range.count <= 64 ? partitioned(range.first, range.count, is_left)
+                               : static_cast<std::uint32_t>(
+                                     std::partition(range.begin(), range.end(), is_left) - range.first);
     });
     // Parts within the margin of an older plane may all come to lie on one side.
     return with_room(range, left == 0 || left == range.count ? range.count / 2 : left);
