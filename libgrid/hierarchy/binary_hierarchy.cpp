@@ -17,9 +17,11 @@ namespace masu {
 
 namespace {
 
+bool all_axes(WholeLanes4 are) {
+  return (are[0] & are[1] & are[2]) != 0;
+}
 bool holds_something(const LaneBox& box) {
-  const WholeLanes4 holds = box.low <= box.high;
-  return (holds[0] & holds[1] & holds[2]) != 0;
+  return all_axes(box.low <= box.high);
 }
 LaneBox common(const LaneBox& a, const LaneBox& b) {
   return {larger(a.low, b.low), smaller(a.high, b.high)};
@@ -29,8 +31,8 @@ Boxf boxf(const LaneBox& box) {
   return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
 }
 
-bool same(const Boxf& a, const Boxf& b) {
-  return a.min == b.min && a.max == b.max;
+bool same(const LaneBox& a, const LaneBox& b) {
+  return all_axes((a.low == b.low) & (a.high == b.high));
 }
 
 // Fragments are counted 1 where they are whole triangles, else 0.
@@ -135,8 +137,10 @@ public:
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 4096), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         BinaryNode& fragment = fragments_[i] = leaves[i];
-        fragment.count = fragment.index < scene_.triangle_count &&
-                         same(fragment.box(), box_of_primitive(scene_, fragment.index, margin_));
+        fragment.count = 0;
+        if (fragment.index < scene_.triangle_count)
+          fragment.count =
+              same(box_of(fragment), lanes_around(widened(*scene_.triangle(fragment.index)), margin_));
       }
     });
   }
@@ -391,9 +395,10 @@ private:
     std::uint32_t left = 0;
     with_axis(split.at.axis, [&](auto axis) {
       const auto is_left = [&](const BinaryNode& fragment) { return split.is_left(fragment, axis); };
-      left = range.count <= 64 ? partitioned(range.first, range.count, is_left)
-                               : static_cast<std::uint32_t>(
-                                     std::partition(range.begin(), range.end(), is_left) - range.first);
+      left =
+          range.count <= 64
+              ? partitioned(range.first, range.count, is_left)
+              : static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), is_left) - range.first);
     });
     // Parts within the margin of an older plane may all come to lie on one side.
     return with_room(range, left == 0 || left == range.count ? range.count / 2 : left);

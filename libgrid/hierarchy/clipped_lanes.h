@@ -15,6 +15,16 @@ struct LaneSides {
   LaneBox below, above;
 };
 
+inline LaneBox in_lanes(const Boxf& box) {
+  return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
+}
+
+// box_of_primitive() (node_boxes.h)
+template <class Primitive>
+LaneBox lanes_around(const Primitive& primitive, double margin) {
+  return in_lanes(box_around(bounds(primitive), margin));
+}
+
 template <class Primitive>
 class ClippedLanes {
 public:
@@ -26,21 +36,41 @@ public:
   }
 
 private:
-  static LaneBox in_lanes(const Boxf& box) {
-    return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
-  }
-
   const Primitive& primitive_;
 };
 
 #ifdef MASU_HOST_AVX2
+inline Doubles4 in_lanes(double x, double y, double z) {
+  return _mm256_setr_pd(x, y, z, 0);
+}
+
+struct LaneBounds {
+  Doubles4 low = RealTraits<double>::largest, high = -RealTraits<double>::largest;
+
+  void add(Doubles4 point) {
+    low = min(point, low);
+    high = max(point, high);
+  }
+  LaneBox with(const LaneBounds& other, double margin) const {
+    const __m256 both = rounded_up(margin - min(low, other.low), max(high, other.high) + margin).v;
+    return {-_mm256_castps256_ps128(both), _mm256_extractf128_ps(both, 1)};
+  }
+};
+
+inline LaneBox lanes_around(const Triangle<double>& t, double margin) {
+  LaneBounds corners;
+  for (const Vec3d& corner : {t.a, t.b, t.c})
+    corners.add(in_lanes(corner.x, corner.y, corner.z));
+  return corners.with({}, margin);
+}
+
 // A triangle's coordinates are lanes.
 template <>
 class ClippedLanes<Triangle<double>> {
 public:
   explicit ClippedLanes(const Triangle<double>& t)
-      : corners_{lanes(t.a.x, t.a.y, t.a.z), lanes(t.b.x, t.b.y, t.b.z), lanes(t.c.x, t.c.y, t.c.z)},
-        along_{lanes(t.a.x, t.b.x, t.c.x), lanes(t.a.y, t.b.y, t.c.y), lanes(t.a.z, t.b.z, t.c.z)} {
+      : corners_{in_lanes(t.a.x, t.a.y, t.a.z), in_lanes(t.b.x, t.b.y, t.b.z), in_lanes(t.c.x, t.c.y, t.c.z)},
+        along_{in_lanes(t.a.x, t.b.x, t.c.x), in_lanes(t.a.y, t.b.y, t.c.y), in_lanes(t.a.z, t.b.z, t.c.z)} {
     for (unsigned corners = 1; corners < 8; ++corners) {
       of_corners_[corners] = of_corners_[corners & (corners - 1)];
       of_corners_[corners].add(corners_[__builtin_ctz(corners)]);
@@ -55,7 +85,7 @@ public:
         _mm256_cmpeq_epi64(_mm256_setr_epi64x(0, 1, 2, 3), _mm256_set1_epi64x(axis)));
     // Of an edge that crosses, where it meets the plane; else NaN, which no bounds take.
     const Doubles4 met = select(crosses, share, std::numeric_limits<double>::quiet_NaN());
-    Bounds meetings;
+    LaneBounds meetings;
     const auto add = [&](int i, Doubles4 of_edge) {
       const Doubles4 p = corners_[i], edge = corners_[(i + 1) % 3] - p;
       meetings.add(select(is_axis, at, p) + select(is_axis, 0.0, edge) * of_edge);
@@ -68,22 +98,8 @@ public:
   }
 
 private:
-  struct Bounds {
-    Doubles4 low = RealTraits<double>::largest, high = -RealTraits<double>::largest;
-
-    void add(Doubles4 point) {
-      low = min(point, low);
-      high = max(point, high);
-    }
-    LaneBox with(const Bounds& other, double margin) const {
-      const __m256 both = rounded_up(margin - min(low, other.low), max(high, other.high) + margin).v;
-      return {-_mm256_castps256_ps128(both), _mm256_extractf128_ps(both, 1)};
-    }
-  };
-  static Doubles4 lanes(double x, double y, double z) { return _mm256_setr_pd(x, y, z, 0); }
-
   Doubles4 corners_[3], along_[3]; // along an axis, the corners'
-  Bounds of_corners_[8];           // by a bit for each
+  LaneBounds of_corners_[8];       // by a bit for each
 };
 #endif
 
