@@ -58,10 +58,10 @@ MASU_HD inline ClippedBounds sides_of(const Sphere<double>& sphere, int axis, do
 }
 
 MASU_HD inline ClippedBounds sides_of(const Cone<double>& cone, int axis, double low, double high) {
-  const Vec3d along = cone.apex - cone.base;
+  const Vec3d along = cone.apex - cone.base, reach = disc_reach(along);
   const double base_radius = std::abs(cone.base_radius), apex_radius = std::abs(cone.apex_radius);
-  const Boxd base = disc_bounds(cone.base, base_radius, along),
-             apex = disc_bounds(cone.apex, apex_radius, along);
+  const Boxd base = disc_bounds(cone.base, base_radius, reach),
+             apex = disc_bounds(cone.apex, apex_radius, reach);
   // More than what the discs' places along the axis are rounded by.
   const double slack = 0x1p-49 * largest_magnitude(join(base, apex));
   // The bounds of the discs that reach a plane's side, from how far beyond the plane those of base and apex
@@ -69,7 +69,7 @@ MASU_HD inline ClippedBounds sides_of(const Cone<double>& cone, int axis, double
   const auto reaching = [&](double from_base, double from_apex) {
     if (from_base > 0 && from_apex > 0) return empty_box<double>();
     const auto disc = [&](double share) {
-      return disc_bounds(cone.base + along * share, base_radius + (apex_radius - base_radius) * share, along);
+      return disc_bounds(cone.base + along * share, base_radius + (apex_radius - base_radius) * share, reach);
     };
     const double share = from_base / (from_base - from_apex); // of the axis, where a disc just does
     return join(from_base > 0 ? disc(share) : base, from_apex > 0 ? disc(share) : apex);
