@@ -8,6 +8,7 @@
 #endif
 
 #include <limits>
+#include <utility>
 
 namespace masu {
 
@@ -25,10 +26,19 @@ LaneBox lanes_around(const Primitive& primitive, double margin) {
   return in_lanes(box_around(bounds(primitive), margin));
 }
 
+// What is computed once for all planes: nothing but for cones.
+template <class Primitive>
+const Primitive& prepared_to_clip(const Primitive& primitive) {
+  return primitive;
+}
+inline ClippedCone prepared_to_clip(const Cone<double>& cone) {
+  return ClippedCone(cone);
+}
+
 template <class Primitive>
 class ClippedLanes {
 public:
-  explicit ClippedLanes(const Primitive& primitive) : primitive_(primitive) {}
+  explicit ClippedLanes(const Primitive& primitive) : primitive_(prepared_to_clip(primitive)) {}
 
   LaneSides sides(int axis, double plane, double margin) const {
     const Sides of = sides_with_margin(primitive_, axis, plane, margin);
@@ -36,7 +46,7 @@ public:
   }
 
 private:
-  const Primitive& primitive_;
+  decltype(prepared_to_clip(std::declval<const Primitive&>())) primitive_;
 };
 
 #ifdef MASU_HOST_AVX2
