@@ -139,8 +139,8 @@ public:
         BinaryNode& fragment = fragments_[i] = leaves[i];
         fragment.count = 0;
         if (fragment.index < scene_.triangle_count)
-          fragment.count =
-              same(box_of(fragment), lanes_around(widened(*scene_.triangle(fragment.index)), margin_));
+          fragment.count = same(box_of(fragment),
+                                lanes_around(bounds(widened(*scene_.triangle(fragment.index))), margin_));
       }
     });
   }

@@ -16,14 +16,25 @@ struct LaneSides {
   LaneBox below, above;
 };
 
-inline LaneBox in_lanes(const Boxf& box) {
-  return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
+#ifdef MASU_HOST_AVX2
+inline Doubles4 in_lanes(double x, double y, double z) {
+  return _mm256_setr_pd(x, y, z, 0);
 }
+inline LaneBox lanes_around(Doubles4 low, Doubles4 high, double margin) {
+  const __m256 both = rounded_up(margin - low, high + margin).v;
+  return {-_mm256_castps256_ps128(both), _mm256_extractf128_ps(both, 1)};
+}
+#endif
 
-// box_of_primitive() (node_boxes.h)
-template <class Primitive>
-LaneBox lanes_around(const Primitive& primitive, double margin) {
-  return in_lanes(box_around(bounds(primitive), margin));
+// box_around() (node_boxes.h)
+inline LaneBox lanes_around(const Boxd& bounds, double margin) {
+#ifdef MASU_HOST_AVX2
+  return lanes_around(in_lanes(bounds.min.x, bounds.min.y, bounds.min.z),
+                      in_lanes(bounds.max.x, bounds.max.y, bounds.max.z), margin);
+#else
+  const Boxf box = box_around(bounds, margin);
+  return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
+#endif
 }
 
 // What is computed once for all planes: nothing but for cones.
@@ -41,8 +52,11 @@ public:
   explicit ClippedLanes(const Primitive& primitive) : primitive_(prepared_to_clip(primitive)) {}
 
   LaneSides sides(int axis, double plane, double margin) const {
-    const Sides of = sides_with_margin(primitive_, axis, plane, margin);
-    return {in_lanes(of.below), in_lanes(of.above)};
+    const ClippedBounds of = sides_of(primitive_, axis, plane, plane);
+    const auto part = [&](const Boxd& bounds) {
+      return is_empty(bounds) ? LaneBox() : lanes_around(bounds, margin);
+    };
+    return {part(of.below), part(of.above)};
   }
 
 private:
@@ -50,30 +64,6 @@ private:
 };
 
 #ifdef MASU_HOST_AVX2
-inline Doubles4 in_lanes(double x, double y, double z) {
-  return _mm256_setr_pd(x, y, z, 0);
-}
-
-struct LaneBounds {
-  Doubles4 low = RealTraits<double>::largest, high = -RealTraits<double>::largest;
-
-  void add(Doubles4 point) {
-    low = min(point, low);
-    high = max(point, high);
-  }
-  LaneBox with(const LaneBounds& other, double margin) const {
-    const __m256 both = rounded_up(margin - min(low, other.low), max(high, other.high) + margin).v;
-    return {-_mm256_castps256_ps128(both), _mm256_extractf128_ps(both, 1)};
-  }
-};
-
-inline LaneBox lanes_around(const Triangle<double>& t, double margin) {
-  LaneBounds corners;
-  for (const Vec3d& corner : {t.a, t.b, t.c})
-    corners.add(in_lanes(corner.x, corner.y, corner.z));
-  return corners.with({}, margin);
-}
-
 // A triangle's coordinates are lanes.
 template <>
 class ClippedLanes<Triangle<double>> {
@@ -95,7 +85,7 @@ public:
         _mm256_cmpeq_epi64(_mm256_setr_epi64x(0, 1, 2, 3), _mm256_set1_epi64x(axis)));
     // Of an edge that crosses, where it meets the plane; else NaN, which no bounds take.
     const Doubles4 met = select(crosses, share, std::numeric_limits<double>::quiet_NaN());
-    LaneBounds meetings;
+    Bounds meetings;
     const auto add = [&](int i, Doubles4 of_edge) {
       const Doubles4 p = corners_[i], edge = corners_[(i + 1) % 3] - p;
       meetings.add(select(is_axis, at, p) + select(is_axis, 0.0, edge) * of_edge);
@@ -108,8 +98,20 @@ public:
   }
 
 private:
+  struct Bounds {
+    Doubles4 low = RealTraits<double>::largest, high = -RealTraits<double>::largest;
+
+    void add(Doubles4 point) {
+      low = min(point, low);
+      high = max(point, high);
+    }
+    LaneBox with(const Bounds& other, double margin) const {
+      return lanes_around(min(low, other.low), max(high, other.high), margin);
+    }
+  };
+
   Doubles4 corners_[3], along_[3]; // along an axis, the corners'
-  LaneBounds of_corners_[8];       // by a bit for each
+  Bounds of_corners_[8];           // by a bit for each
 };
 #endif
 
