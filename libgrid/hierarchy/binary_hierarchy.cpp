@@ -104,7 +104,7 @@ std::uint32_t partitioned(BinaryNode* fragments, std::uint32_t count, const IsLe
 
 struct ObjectSplit {
   AxisSplit at; // numbered by the last bin that goes left
-  LaneBox left, right;
+  CountedBox left, right;
 };
 
 // Cuts what is left of a fragment across an axis where a bin ends, and adds to the bin what lies in it.
@@ -211,11 +211,12 @@ private:
                                      : object_split_of_many(range, binning);
   }
   ObjectSplit object_split_of_few(const FragmentRange& range, const Binning& binning) const {
-    LaneBox boxes[few_leaves];
+    CountedBox boxes[few_leaves];
     WholeLanes4 bins[few_leaves];
     for (std::uint32_t i = 0; i < range.count; ++i) {
-      boxes[i] = box_of(range.first[i]);
-      bins[i] = binning.bins_of(boxes[i].twice_the_centre());
+      const LaneBox box = box_of(range.first[i]);
+      boxes[i] = CountedBox(box);
+      bins[i] = binning.bins_of(box.twice_the_centre());
     }
     const SortedFew sorted(boxes, bins, range.count);
     const AxisSplit cheapest = sorted.cheapest_split();
@@ -238,7 +239,7 @@ private:
     if (cheapest.axis < 0) return {};
     ObjectSplit split{cheapest, {}, {}};
     for (int i = 0; i < bins.count; ++i)
-      (i <= cheapest.number ? split.left : split.right).join(bins.along[cheapest.axis][i].box());
+      (i <= cheapest.number ? split.left : split.right).join(bins.along[cheapest.axis][i]);
     return split;
   }
 
@@ -344,7 +345,8 @@ private:
     const ObjectSplit objects = object_split(range, by_centre);
     const AxisSplit& at = objects.at;
     if (at.axis < 0) return {};
-    if (range.room > 0 && is_worth_splitting(boxf(common(objects.left, objects.right)), root_area_)) {
+    if (range.room > 0 &&
+        is_worth_splitting(boxf(common(objects.left.box(), objects.right.box())), root_area_)) {
       const Binning by_space(extent.box, bins_in_space);
       const AxisSplit space = spatial_split(range, by_space, at.cost);
       if (space.cost < at.cost) return {SplitKind::by_space, space, by_space.along[space.axis]};

@@ -11,6 +11,8 @@ namespace masu {
 // x, y, z, and a lane that boxes ignore.
 using Lanes4 = float __attribute__((vector_size(16)));
 using WholeLanes4 = std::int32_t __attribute__((vector_size(16)));
+using Lanes8 = float __attribute__((vector_size(32)));
+using WholeLanes8 = std::int32_t __attribute__((vector_size(32)));
 
 inline Lanes4 smaller(Lanes4 a, Lanes4 b) {
   return a < b ? a : b;
@@ -38,8 +40,6 @@ struct LaneBox {
 // Boxes joined, and numbers of what begins and ends with them: upper planes are negated, so that it takes one
 // minimum to join another box, and the numbers are in the lanes that planes leave.
 struct CountedBox {
-  using Lanes8 = float __attribute__((vector_size(32)));
-  using WholeLanes8 = std::int32_t __attribute__((vector_size(32)));
   Lanes8 planes = {INFINITY, INFINITY, INFINITY, 0, INFINITY, INFINITY, INFINITY, 0};
 
   CountedBox() = default;
@@ -66,18 +66,6 @@ private:
 struct BoxLanes {
   Lanes4 low[3], high[3];
 
-  BoxLanes() = default;
-  // Of three; what is in the last lane is ignored.
-  BoxLanes(const LaneBox& a, const LaneBox& b, const LaneBox& c) {
-    transpose(a.low, b.low, c.low, low);
-    transpose(a.high, b.high, c.high, high);
-  }
-  void join(const BoxLanes& other) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = smaller(low[axis], other.low[axis]);
-      high[axis] = larger(high[axis], other.high[axis]);
-    }
-  }
   Lanes4 areas() const {
     const Lanes4 x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
     return x * (y + z) + y * z;
@@ -87,23 +75,14 @@ struct BoxLanes {
     const WholeLanes4 holds = (low[0] <= high[0]) & (low[1] <= high[1]) & (low[2] <= high[2]);
     return holds ? areas() : Lanes4{};
   }
-
-private:
-  static void transpose(Lanes4 a, Lanes4 b, Lanes4 c, Lanes4 (&to)[3]) {
-    const Lanes4 first = __builtin_shufflevector(a, b, 0, 4, 1, 5),
-                 last = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-    to[0] = __builtin_shufflevector(first, c, 0, 1, 4, 4);
-    to[1] = __builtin_shufflevector(first, c, 2, 3, 5, 5);
-    to[2] = __builtin_shufflevector(last, c, 0, 1, 6, 6);
-  }
 };
 
 // A counted box in each lane.
 struct CountedLanes {
-  CountedBox::Lanes8 planes[3]; // the upper ones come after the lower ones, negated
-  CountedBox::WholeLanes8 numbers{};
+  Lanes8 planes[3]; // the upper ones come after the lower ones, negated
+  WholeLanes8 numbers{};
 
-  CountedLanes() { std::fill_n(planes, 3, CountedBox::Lanes8{} + INFINITY); }
+  CountedLanes() { std::fill_n(planes, 3, Lanes8{} + INFINITY); }
   // Of three; what is in the last lanes is ignored.
   CountedLanes(const CountedBox& a, const CountedBox& b, const CountedBox& c) {
     const auto first = __builtin_shufflevector(a.planes, b.planes, 0, 8, 1, 9, 4, 12, 5, 13),
@@ -111,8 +90,7 @@ struct CountedLanes {
     planes[0] = __builtin_shufflevector(first, c.planes, 0, 1, 8, 8, 4, 5, 12, 12);
     planes[1] = __builtin_shufflevector(first, c.planes, 2, 3, 9, 9, 6, 7, 13, 13);
     planes[2] = __builtin_shufflevector(last, c.planes, 0, 1, 10, 10, 4, 5, 14, 14);
-    numbers = std::bit_cast<CountedBox::WholeLanes8>(
-        __builtin_shufflevector(last, c.planes, 2, 3, 11, 11, 6, 7, 15, 15));
+    numbers = std::bit_cast<WholeLanes8>(__builtin_shufflevector(last, c.planes, 2, 3, 11, 11, 6, 7, 15, 15));
   }
   void join(const CountedLanes& other) {
     for (int axis = 0; axis < 3; ++axis)

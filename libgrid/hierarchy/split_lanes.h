@@ -116,7 +116,7 @@ AxisSplit cheapest_split(const AxisBins<most>& bins) {
 template <class Keys>
 class SortedFew {
 public:
-  SortedFew(const LaneBox* boxes, const Keys* keys, std::uint32_t count)
+  SortedFew(const CountedBox* boxes, const Keys* keys, std::uint32_t count)
       : boxes_(boxes), keys_(keys), count_(count) {
     WholeLanes4 ranks[few_leaves]{};
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -134,18 +134,17 @@ public:
   // Between boxes of other keys; numbered by the last one that goes left.
   AxisSplit cheapest_split() const {
     Lanes4 right_areas[few_leaves];
-    BoxLanes right = lanes(count_ - 1);
+    CountedLanes right, left;
     for (std::uint32_t i = count_ - 1; i > 0; --i) {
       right.join(lanes(i));
-      right_areas[i] = right.areas();
+      right_areas[i] = right.boxes().areas();
     }
     CheapestSplit cheapest;
-    BoxLanes left = lanes(0);
     for (std::uint32_t i = 0; i + 1 < count_; ++i) {
       left.join(lanes(i));
       const auto left_count = static_cast<float>(i + 1), right_count = static_cast<float>(count_ - i - 1);
       const Lanes4 cost =
-          split_cost(left.areas(), Lanes4{} + left_count, right_areas[i + 1], Lanes4{} + right_count);
+          split_cost(left.boxes().areas(), Lanes4{} + left_count, right_areas[i + 1], Lanes4{} + right_count);
       cheapest.add(keys(i) != keys(i + 1) ? cost : Lanes4{} + INFINITY, static_cast<std::int32_t>(i));
     }
     return cheapest.along_any_axis();
@@ -153,14 +152,14 @@ public:
   auto key(const AxisSplit& split) const { return keys_[order_[split.axis][split.number]][split.axis]; }
 
 private:
-  BoxLanes lanes(std::uint32_t i) const {
+  CountedLanes lanes(std::uint32_t i) const {
     return {boxes_[order_[0][i]], boxes_[order_[1][i]], boxes_[order_[2][i]]};
   }
   Keys keys(std::uint32_t i) const {
     return Keys{keys_[order_[0][i]][0], keys_[order_[1][i]][1], keys_[order_[2][i]][2], 0};
   }
 
-  const LaneBox* boxes_;
+  const CountedBox* boxes_;
   const Keys* keys_;
   std::uint32_t count_;
   std::uint8_t order_[3][few_leaves]{};

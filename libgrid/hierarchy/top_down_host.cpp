@@ -13,11 +13,12 @@ namespace masu {
 namespace {
 
 LeafSplit cheapest_of_few(const BinaryNode* leaves, std::uint32_t count) {
-  LaneBox boxes[few_leaves];
+  CountedBox boxes[few_leaves];
   Lanes4 centres[few_leaves];
   for (std::uint32_t i = 0; i < count; ++i) {
-    boxes[i] = box_of(leaves[i]);
-    centres[i] = boxes[i].twice_the_centre();
+    const LaneBox box = box_of(leaves[i]);
+    boxes[i] = CountedBox(box);
+    centres[i] = box.twice_the_centre();
   }
   const SortedFew sorted(boxes, centres, count);
   const AxisSplit split = sorted.cheapest_split();
