@@ -131,12 +131,12 @@ public:
   BinaryBuilder(const SceneView<Stored>& scene, double margin, HostArray<BinaryNode> leaves,
                 ProgressMonitor* progress)
       : scene_(scene), margin_(margin), progress_(progress),
-        count_(static_cast<std::uint32_t>(leaves.size())), fragments_(places_for(count_)),
+        count_(static_cast<std::uint32_t>(leaves.size())), fragments_(std::move(leaves)),
         nodes_(2 * static_cast<std::size_t>((1 + spare_fragments) * static_cast<double>(count_))),
         choices_(nodes_.size()) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 4096), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count_, 4096), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        BinaryNode& fragment = fragments_[i] = leaves[i];
+        BinaryNode& fragment = fragments_[i];
         fragment.count = 0;
         if (fragment.index < scene_.triangle_count)
           fragment.count = same(box_of(fragment),
@@ -147,7 +147,7 @@ public:
 
   BinaryHierarchy<TbbExecutor> build() {
     if (count_ == 0) return {};
-    const FragmentRange all{fragments_.data(), count_, static_cast<std::uint32_t>(fragments_.size()) - count_,
+    const FragmentRange all{fragments_.data(), count_, 0,
                             static_cast<std::uint32_t>(nodes_.size() / 2) - count_};
     const LaneBox root = extent_of(all).box;
     root_area_ = root.area();
