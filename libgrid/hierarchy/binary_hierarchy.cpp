@@ -285,15 +285,14 @@ private:
     WholeLanes4 is_cheaper{};
     for (int bin = 0; bin + 1 < binning.count(); ++bin) {
       left.join(bounds.left.lanes(bin));
-      const CountedLanes& rest = right[bin + 1];
-      const WholeLanes4 left_count = all - rest.begin(), right_count = all - left.begin(),
-                        crossing = right[0].end() - rest.end() - left.end();
-      BoxLanes up_to_plane = left.boxes(), from_plane = rest.boxes();
+      CountedLanes up_to_plane = left, from_plane = right[bin + 1];
+      const WholeLanes4 left_count = all - from_plane.begin(), right_count = all - left.begin(),
+                        crossing = right[0].end() - from_plane.end() - left.end();
       const Lanes4 plane = binning.planes(WholeLanes4{} + bin);
       for (int axis = 0; axis < 3; ++axis) {
         if (crossing[axis] == 0) continue;
-        up_to_plane.high[axis][axis] = std::max(up_to_plane.high[axis][axis], plane[axis]);
-        from_plane.low[axis][axis] = std::min(from_plane.low[axis][axis], plane[axis]);
+        up_to_plane.planes[axis][axis + 4] = std::min(up_to_plane.planes[axis][axis + 4], -plane[axis]);
+        from_plane.planes[axis][axis] = std::min(from_plane.planes[axis][axis], plane[axis]);
       }
       const Lanes4 least = split_cost(up_to_plane.areas_or_0(), __builtin_convertvector(left_count, Lanes4),
                                       from_plane.areas_or_0(), __builtin_convertvector(right_count, Lanes4));

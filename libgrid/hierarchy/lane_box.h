@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -44,36 +43,23 @@ struct CountedBox {
 
   CountedBox() = default;
   // The numbers are in all lanes.
-  explicit CountedBox(const LaneBox& box, WholeLanes4 begin = WholeLanes4{}, WholeLanes4 end = WholeLanes4{})
-      : planes(with_numbers(__builtin_shufflevector(box.low, -box.high, 0, 1, 2, 3, 4, 5, 6, 7),
-                            __builtin_shufflevector(begin, end, 0, 1, 2, 3, 4, 5, 6, 7))) {}
+  explicit CountedBox(const LaneBox& box, WholeLanes4 begin = WholeLanes4{},
+                      WholeLanes4 end = WholeLanes4{}) {
+    set(__builtin_shufflevector(box.low, -box.high, 0, 1, 2, 3, 4, 5, 6, 7),
+        __builtin_shufflevector(begin, end, 0, 1, 2, 3, 4, 5, 6, 7));
+  }
   void join(const CountedBox& other) {
-    planes = with_numbers(planes < other.planes ? planes : other.planes, whole() + other.whole());
+    set(planes < other.planes ? planes : other.planes,
+        reinterpret_cast<WholeLanes8>(planes) + reinterpret_cast<WholeLanes8>(other.planes));
   }
   LaneBox box() const {
     return {__builtin_shufflevector(planes, planes, 0, 1, 2, 3),
             -__builtin_shufflevector(planes, planes, 4, 5, 6, 7)};
   }
-  WholeLanes8 whole() const { return std::bit_cast<WholeLanes8>(planes); }
 
 private:
-  static Lanes8 with_numbers(Lanes8 planes, WholeLanes8 numbers) {
-    return __builtin_shufflevector(planes, std::bit_cast<Lanes8>(numbers), 0, 1, 2, 11, 4, 5, 6, 15);
-  }
-};
-
-// A box in each lane.
-struct BoxLanes {
-  Lanes4 low[3], high[3];
-
-  Lanes4 areas() const {
-    const Lanes4 x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x * (y + z) + y * z;
-  }
-  // The same; 0 of a box that holds nothing.
-  Lanes4 areas_or_0() const {
-    const WholeLanes4 holds = (low[0] <= high[0]) & (low[1] <= high[1]) & (low[2] <= high[2]);
-    return holds ? areas() : Lanes4{};
+  void set(const Lanes8& boxes, const WholeLanes8& numbers) {
+    planes = __builtin_shufflevector(boxes, reinterpret_cast<Lanes8>(numbers), 0, 1, 2, 11, 4, 5, 6, 15);
   }
 };
 
@@ -90,7 +76,8 @@ struct CountedLanes {
     planes[0] = __builtin_shufflevector(first, c.planes, 0, 1, 8, 8, 4, 5, 12, 12);
     planes[1] = __builtin_shufflevector(first, c.planes, 2, 3, 9, 9, 6, 7, 13, 13);
     planes[2] = __builtin_shufflevector(last, c.planes, 0, 1, 10, 10, 4, 5, 14, 14);
-    numbers = std::bit_cast<WholeLanes8>(__builtin_shufflevector(last, c.planes, 2, 3, 11, 11, 6, 7, 15, 15));
+    numbers =
+        reinterpret_cast<WholeLanes8>(__builtin_shufflevector(last, c.planes, 2, 3, 11, 11, 6, 7, 15, 15));
   }
   void join(const CountedLanes& other) {
     for (int axis = 0; axis < 3; ++axis)
@@ -99,13 +86,15 @@ struct CountedLanes {
   }
   WholeLanes4 begin() const { return __builtin_shufflevector(numbers, numbers, 0, 1, 2, 3); }
   WholeLanes4 end() const { return __builtin_shufflevector(numbers, numbers, 4, 5, 6, 7); }
-  BoxLanes boxes() const {
-    BoxLanes boxes;
-    for (int axis = 0; axis < 3; ++axis) {
-      boxes.low[axis] = __builtin_shufflevector(planes[axis], planes[axis], 0, 1, 2, 3);
-      boxes.high[axis] = -__builtin_shufflevector(planes[axis], planes[axis], 4, 5, 6, 7);
-    }
-    return boxes;
+  Lanes4 low(int axis) const { return __builtin_shufflevector(planes[axis], planes[axis], 0, 1, 2, 3); }
+  Lanes4 high(int axis) const { return -__builtin_shufflevector(planes[axis], planes[axis], 4, 5, 6, 7); }
+  Lanes4 areas() const {
+    const Lanes4 x = high(0) - low(0), y = high(1) - low(1), z = high(2) - low(2);
+    return x * (y + z) + y * z;
+  }
+  // The same; 0 of a box that holds nothing.
+  Lanes4 areas_or_0() const {
+    return (low(0) <= high(0)) & (low(1) <= high(1)) & (low(2) <= high(2)) ? areas() : Lanes4{};
   }
 };
 

@@ -101,13 +101,12 @@ AxisSplit cheapest_split(const AxisBins<most>& bins) {
   CountedLanes right, left;
   for (std::int32_t i = bins.count - 1; i > 0; --i) {
     right.join(bins.lanes(i));
-    right_costs[i] = right.boxes().areas() * __builtin_convertvector(right.end(), Lanes4);
+    right_costs[i] = right.areas() * __builtin_convertvector(right.end(), Lanes4);
   }
   CheapestSplit cheapest;
   for (std::int32_t i = 0; i + 1 < bins.count; ++i) {
     left.join(bins.lanes(i));
-    cheapest.add(left.boxes().areas() * __builtin_convertvector(left.begin(), Lanes4) + right_costs[i + 1],
-                 i);
+    cheapest.add(left.areas() * __builtin_convertvector(left.begin(), Lanes4) + right_costs[i + 1], i);
   }
   return cheapest.along_any_axis();
 }
@@ -137,14 +136,14 @@ public:
     CountedLanes right, left;
     for (std::uint32_t i = count_ - 1; i > 0; --i) {
       right.join(lanes(i));
-      right_areas[i] = right.boxes().areas();
+      right_areas[i] = right.areas();
     }
     CheapestSplit cheapest;
     for (std::uint32_t i = 0; i + 1 < count_; ++i) {
       left.join(lanes(i));
       const auto left_count = static_cast<float>(i + 1), right_count = static_cast<float>(count_ - i - 1);
       const Lanes4 cost =
-          split_cost(left.boxes().areas(), Lanes4{} + left_count, right_areas[i + 1], Lanes4{} + right_count);
+          split_cost(left.areas(), Lanes4{} + left_count, right_areas[i + 1], Lanes4{} + right_count);
       cheapest.add(keys(i) != keys(i + 1) ? cost : Lanes4{} + INFINITY, static_cast<std::int32_t>(i));
     }
     return cheapest.along_any_axis();
