@@ -10,14 +10,18 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <utility>
 
 namespace masu {
 
 namespace {
 
+bool all_axes(WholeLanes4 are) {
+  return (are[0] & are[1] & are[2]) != 0;
+}
 bool holds_something(const LaneBox& box) {
-  return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
+  return all_axes(box.low <= box.high);
 }
 LaneBox common(const LaneBox& a, const LaneBox& b) {
   return {larger(a.low, b.low), smaller(a.high, b.high)};
@@ -27,8 +31,8 @@ Boxf boxf(const LaneBox& box) {
   return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
 }
 
-bool same(const Boxf& a, const Boxf& b) {
-  return a.min == b.min && a.max == b.max;
+bool same(const LaneBox& a, const LaneBox& b) {
+  return all_axes((a.low == b.low) & (a.high == b.high));
 }
 
 // Fragments are counted 1 where they are whole triangles, else 0.
@@ -62,19 +66,8 @@ struct Extent {
 
 // By centre: the fragments whose centres are in a bin, as many begin as end. By space: the parts in it of
 // fragments.
-struct Bins {
-  AxisBin of[most_bins];
-  int count;
-
-  explicit Bins(int count_) : count(count_) {
-    for (int i = 0; i < count; ++i)
-      of[i].clear();
-  }
-  void join(const Bins& other) {
-    for (int i = 0; i < count; ++i)
-      of[i].join(other.of[i]);
-  }
-};
+using BinsByCentre = AxisBins<most_bins>;
+using BinsInSpace = AxisBins<bins_in_space>;
 
 struct Binning {
   FragmentBins along[3];
@@ -91,15 +84,33 @@ struct Binning {
   Lanes4 planes(WholeLanes4 bin) const { return low + unit * __builtin_convertvector(bin + 1, Lanes4); }
 };
 
+// As std::partition() does, up to 64 of them; but it can't be predicted which one goes where.
+template <class IsLeft>
+std::uint32_t partitioned(BinaryNode* fragments, std::uint32_t count, const IsLeft& is_left) {
+  std::uint64_t lefts = 0; // a bit each
+  for (std::uint32_t i = 0; i < count; ++i)
+    lefts |= std::uint64_t{is_left(fragments[i])} << i;
+  const auto left = static_cast<std::uint32_t>(std::popcount(lefts));
+  const std::uint64_t places = left < 64 ? (std::uint64_t{1} << left) - 1 : ~std::uint64_t{0};
+  // As many are right of them as are wrong among them.
+  for (std::uint64_t to_left = lefts & ~places, to_right = places & ~lefts; to_right != 0;
+       to_right &= to_right - 1) {
+    const int last = 63 - std::countl_zero(to_left);
+    std::swap(fragments[std::countr_zero(to_right)], fragments[last]);
+    to_left ^= std::uint64_t{1} << last;
+  }
+  return left;
+}
+
 struct ObjectSplit {
   AxisSplit at; // numbered by the last bin that goes left
-  LaneBox left, right;
+  CountedBox left, right;
 };
 
 // Cuts what is left of a fragment across an axis where a bin ends, and adds to the bin what lies in it.
-void cut_off(const LaneSides& primitive, int axis, LaneBox& rest, AxisBin& bin) {
+void cut_off(const LaneSides& primitive, LaneBox& rest, CountedBox& bin) {
   const LaneBox below = common(primitive.below, rest);
-  if (holds_something(below)) bin.join(axis, below);
+  if (holds_something(below)) bin.join(CountedBox(below));
   rest = common(primitive.above, rest);
 }
 
@@ -107,11 +118,11 @@ void cut_off(const LaneSides& primitive, int axis, LaneBox& rest, AxisBin& bin) 
 template <class Primitive>
 __attribute__((flatten)) void cut_off_all(const Primitive& primitive, const Binning& binning,
                                           WholeLanes4 first, WholeLanes4 last, double margin,
-                                          LaneBox (&rest)[3], Bins& bins) {
+                                          LaneBox (&rest)[3], BinsInSpace& bins) {
   const ClippedLanes<Primitive> clipped(primitive);
   for (int axis = 0; axis < 3; ++axis)
     for (int bin = first[axis]; bin < last[axis]; ++bin)
-      cut_off(clipped.sides(axis, binning.along[axis].plane(bin), margin), axis, rest[axis], bins.of[bin]);
+      cut_off(clipped.sides(axis, binning.along[axis].plane(bin), margin), rest[axis], bins.along[axis][bin]);
 }
 
 template <class Stored>
@@ -120,21 +131,23 @@ public:
   BinaryBuilder(const SceneView<Stored>& scene, double margin, HostArray<BinaryNode> leaves,
                 ProgressMonitor* progress)
       : scene_(scene), margin_(margin), progress_(progress),
-        count_(static_cast<std::uint32_t>(leaves.size())), fragments_(places_for(count_)),
+        count_(static_cast<std::uint32_t>(leaves.size())), fragments_(std::move(leaves)),
         nodes_(2 * static_cast<std::size_t>((1 + spare_fragments) * static_cast<double>(count_))),
         choices_(nodes_.size()) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 4096), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count_, 4096), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        BinaryNode& fragment = fragments_[i] = leaves[i];
-        fragment.count = fragment.index < scene_.triangle_count &&
-                         same(fragment.box(), box_of_primitive(scene_, fragment.index, margin_));
+        BinaryNode& fragment = fragments_[i];
+        fragment.count = 0;
+        if (fragment.index < scene_.triangle_count)
+          fragment.count = same(box_of(fragment),
+                                lanes_around(bounds(widened(*scene_.triangle(fragment.index))), margin_));
       }
     });
   }
 
   BinaryHierarchy<TbbExecutor> build() {
     if (count_ == 0) return {};
-    const FragmentRange all{fragments_.data(), count_, static_cast<std::uint32_t>(fragments_.size()) - count_,
+    const FragmentRange all{fragments_.data(), count_, 0,
                             static_cast<std::uint32_t>(nodes_.size() / 2) - count_};
     const LaneBox root = extent_of(all).box;
     root_area_ = root.area();
@@ -145,39 +158,51 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t fragments_per_task = 1 << 14, fragments_per_check = 1 << 12;
+  static constexpr std::uint32_t fragments_per_task = 1 << 14, fragments_per_check = 1 << 12,
+                                 few_in_turns = 128;
+  static constexpr WholeLanes4 one = {1, 1, 1, 1};
 
   // With some for fragments that are added: a range that needs more moves elsewhere.
   static std::size_t places_for(std::uint32_t count) { return std::size_t{count} + count / 4; }
 
-  // Adds to `sum` what add(sum, fragment) makes of each, in parallel for many; joins in any order.
-  template <class Sum, class Add>
-  Sum summed(const FragmentRange& range, const Sum& none, const Add& add) const {
-    const auto added = [&](const BinaryNode* begin, const BinaryNode* end, Sum& sum) {
-      for (std::uint32_t i = 1; begin != end; ++begin, ++i) {
-        if (i % fragments_per_check == 0) check_progress(progress_);
-        add(sum, *begin);
+  // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many, joined in any order. It is
+  // made in its place: sums are large for small ranges. Two take turns where fragments are not few: those in
+  // a row are often in one bin, and each waits for what the one before has written.
+  template <class Sum, class Add, class... Of>
+  Sum summed(const FragmentRange& range, const Add& add, Of... of) const {
+    Sum sum(of...);
+    const auto added = [&](const BinaryNode* begin, const BinaryNode* end, Sum& to) {
+      if (end - begin >= fragments_per_check) check_progress(progress_);
+      if (end - begin > few_in_turns) {
+        Sum odd(of...);
+        for (; end - begin > 1; begin += 2) {
+          add(to, begin[0]);
+          add(odd, begin[1]);
+        }
+        to.join(odd);
       }
+      for (; begin != end; ++begin)
+        add(to, *begin);
     };
     if (range.count <= fragments_per_task) {
-      Sum sum = none;
       added(range.begin(), range.end(), sum);
-      return sum;
+    } else {
+      sum = tbb::parallel_reduce(
+          tbb::blocked_range<const BinaryNode*>(range.begin(), range.end(), fragments_per_task), sum,
+          [&](const auto& part, Sum so_far) {
+            added(part.begin(), part.end(), so_far);
+            return so_far;
+          },
+          [&](Sum a, const Sum& b) {
+            a.join(b);
+            return a;
+          });
     }
-    return tbb::parallel_reduce(
-        tbb::blocked_range<const BinaryNode*>(range.begin(), range.end(), fragments_per_task), none,
-        [&](const auto& part, Sum so_far) {
-          added(part.begin(), part.end(), so_far);
-          return so_far;
-        },
-        [&](Sum a, const Sum& b) {
-          a.join(b);
-          return a;
-        });
+    return sum;
   }
 
   Extent extent_of(const FragmentRange& range) const {
-    return summed(range, Extent{}, [](Extent& extent, const BinaryNode& fragment) { extent.add(fragment); });
+    return summed<Extent>(range, [](Extent& extent, const BinaryNode& fragment) { extent.add(fragment); });
   }
 
   // The cheapest split by centres.
@@ -186,11 +211,12 @@ private:
                                      : object_split_of_many(range, binning);
   }
   ObjectSplit object_split_of_few(const FragmentRange& range, const Binning& binning) const {
-    LaneBox boxes[few_leaves];
+    CountedBox boxes[few_leaves];
     WholeLanes4 bins[few_leaves];
     for (std::uint32_t i = 0; i < range.count; ++i) {
-      boxes[i] = box_of(range.first[i]);
-      bins[i] = binning.bins_of(boxes[i].twice_the_centre());
+      const LaneBox box = box_of(range.first[i]);
+      boxes[i] = CountedBox(box);
+      bins[i] = binning.bins_of(box.twice_the_centre());
     }
     const SortedFew sorted(boxes, bins, range.count);
     const AxisSplit cheapest = sorted.cheapest_split();
@@ -201,22 +227,19 @@ private:
     return split;
   }
   ObjectSplit object_split_of_many(const FragmentRange& range, const Binning& binning) const {
-    Bins bins = summed(range, Bins(binning.count()), [&](Bins& sum, const BinaryNode& fragment) {
+    const auto add = [&](BinsByCentre& sum, const BinaryNode& fragment) {
       const LaneBox box = box_of(fragment);
       const WholeLanes4 in = binning.bins_of(box.twice_the_centre());
-      for (int axis = 0; axis < 3; ++axis) {
-        AxisBin& bin = sum.of[in[axis]];
-        bin.join(axis, box);
-        ++bin.begin[axis];
-      }
-    });
-    for (int i = 0; i < bins.count; ++i)
-      std::copy_n(bins.of[i].begin, 4, bins.of[i].end);
-    const AxisSplit cheapest = cheapest_split(bins.of, bins.count);
+      const CountedBox counted(box, one, one);
+      for (int axis = 0; axis < 3; ++axis)
+        sum.at(in, axis).join(counted);
+    };
+    const auto bins = summed<BinsByCentre>(range, add, binning.count());
+    const AxisSplit cheapest = cheapest_split(bins);
     if (cheapest.axis < 0) return {};
     ObjectSplit split{cheapest, {}, {}};
     for (int i = 0; i < bins.count; ++i)
-      (i <= cheapest.number ? split.left : split.right).join(bins.of[i].box(cheapest.axis));
+      (i <= cheapest.number ? split.left : split.right).join(bins.along[cheapest.axis][i]);
     return split;
   }
 
@@ -224,7 +247,9 @@ private:
   // as large as its box: so whichever of its sides holds all of them is as large as that. And where one
   // crosses a plane, both sides reach as far.
   struct SpatialBounds {
-    Bins left, right; // of left.of[bin].end as many cross a bin's plane more than the one's before
+    // By the last of the bins that a fragment is in, and by the first one. As many begin as there are, and
+    // end as cross a plane for certain.
+    BinsInSpace left, right;
 
     explicit SpatialBounds(int count) : left(count), right(count) {}
     void join(const SpatialBounds& other) {
@@ -235,49 +260,39 @@ private:
 
   // Along which axes (-1) there may be a split by planes that costs less than this.
   WholeLanes4 axes_worth_splitting(const FragmentRange& range, const Binning& binning, float cost) const {
-    const SpatialBounds bounds =
-        summed(range, SpatialBounds(binning.count()), [&](SpatialBounds& sum, const BinaryNode& fragment) {
-          const LaneBox box = box_of(fragment);
-          const WholeLanes4 first = binning.bins_of(box.low), last = binning.bins_of(box.high);
-          // Whether it certainly has something on either side of each plane.
-          const WholeLanes4 crosses =
-              (box.low + slack_ < binning.planes(first)) & (binning.planes(last - 1) < box.high - slack_);
-          for (int axis = 0; axis < 3; ++axis) {
-            AxisBin &left = sum.left.of[last[axis]], &right = sum.right.of[first[axis]];
-            ++sum.left.of[first[axis]].begin[axis];
-            ++sum.right.of[last[axis]].end[axis];
-            if (first[axis] != last[axis]) {
-              if (!is_whole_triangle(fragment)) continue;
-              sum.left.of[first[axis]].end[axis] -= crosses[axis];
-              left.end[axis] += crosses[axis];
-            }
-            left.join(axis, box);
-            right.join(axis, box);
-          }
-        });
-    BoxLanes rights[bins_in_space]; // of all from a bin on
-    WholeLanes4 right_counts[bins_in_space];
-    const auto from = [&](int bin) -> const AxisBin& { return bounds.right.of[bin]; };
-    for (int bin = binning.count() - 1; bin > 0; --bin) {
-      rights[bin] = from(bin).boxes();
-      right_counts[bin] = AxisBin::lanes_of(from(bin).end);
-      if (bin + 1 == binning.count()) continue;
-      rights[bin].join(rights[bin + 1]);
-      right_counts[bin] += right_counts[bin + 1];
+    const auto add = [&](SpatialBounds& sum, const BinaryNode& fragment) {
+      const LaneBox box = box_of(fragment);
+      const WholeLanes4 first = binning.bins_of(box.low), last = binning.bins_of(box.high);
+      // Whether it certainly has something on either side of each plane.
+      const WholeLanes4 crosses =
+          (box.low + slack_ < binning.planes(first)) & (binning.planes(last - 1) < box.high - slack_);
+      const bool is_whole = is_whole_triangle(fragment);
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool counts = is_whole || first[axis] == last[axis];
+        const CountedBox counted(counts ? box : LaneBox(), one,
+                                 counts ? WholeLanes4{} - crosses[axis] : WholeLanes4{});
+        sum.left.at(last, axis).join(counted);
+        sum.right.at(first, axis).join(counted);
+      }
+    };
+    const auto bounds = summed<SpatialBounds>(range, add, binning.count());
+    CountedLanes right[bins_in_space], left; // right: of all from a bin on
+    for (int bin = binning.count(); bin-- > 0;) {
+      right[bin] = bounds.right.lanes(bin);
+      if (bin + 1 < binning.count()) right[bin].join(right[bin + 1]);
     }
-    BoxLanes left = bounds.left.of[0].boxes();
-    WholeLanes4 left_count{}, crossing{}, is_cheaper{};
+    const WholeLanes4 all = WholeLanes4{} + static_cast<std::int32_t>(range.count);
+    WholeLanes4 is_cheaper{};
     for (int bin = 0; bin + 1 < binning.count(); ++bin) {
-      left.join(bounds.left.of[bin].boxes());
-      left_count += AxisBin::lanes_of(bounds.left.of[bin].begin);
-      crossing += AxisBin::lanes_of(bounds.left.of[bin].end);
-      const WholeLanes4 right_count = right_counts[bin + 1];
-      BoxLanes up_to_plane = left, from_plane = rights[bin + 1];
+      left.join(bounds.left.lanes(bin));
+      CountedLanes up_to_plane = left, from_plane = right[bin + 1];
+      const WholeLanes4 left_count = all - from_plane.begin(), right_count = all - left.begin(),
+                        crossing = right[0].end() - from_plane.end() - left.end();
       const Lanes4 plane = binning.planes(WholeLanes4{} + bin);
       for (int axis = 0; axis < 3; ++axis) {
         if (crossing[axis] == 0) continue;
-        up_to_plane.high[axis][axis] = std::max(up_to_plane.high[axis][axis], plane[axis]);
-        from_plane.low[axis][axis] = std::min(from_plane.low[axis][axis], plane[axis]);
+        up_to_plane.planes[axis][axis + 4] = std::min(up_to_plane.planes[axis][axis + 4], -plane[axis]);
+        from_plane.planes[axis][axis] = std::min(from_plane.planes[axis][axis], plane[axis]);
       }
       const Lanes4 least = split_cost(up_to_plane.areas_or_0(), __builtin_convertvector(left_count, Lanes4),
                                       from_plane.areas_or_0(), __builtin_convertvector(right_count, Lanes4));
@@ -286,31 +301,41 @@ private:
     return is_cheaper;
   }
 
+  // What lies in each of the bins from `first` to `last` along each axis where these are several.
+  [[gnu::noinline]] void add_parts(const BinaryNode& fragment, const Binning& binning, WholeLanes4 first,
+                                   WholeLanes4 last, BinsInSpace& bins) const {
+    const LaneBox box = box_of(fragment);
+    LaneBox rest[3] = {box, box, box};
+    with_primitive(scene_, fragment.index, [&](const auto& primitive) {
+      cut_off_all(primitive, binning, first, last, margin_, rest, bins);
+    });
+    for (int axis = 0; axis < 3; ++axis)
+      if (first[axis] != last[axis] && holds_something(rest[axis]))
+        bins.at(last, axis).join(CountedBox(rest[axis]));
+  }
+
   // The cheapest split by planes, at which fragments are divided, if it may cost less than this.
   AxisSplit spatial_split(const FragmentRange& range, const Binning& binning, float cost) const {
     const WholeLanes4 axes = axes_worth_splitting(range, binning, cost);
     if (axes[0] == 0 && axes[1] == 0 && axes[2] == 0) return {};
-    const Bins bins = summed(range, Bins(binning.count()), [&](Bins& sum, const BinaryNode& fragment) {
+    const auto add = [&](BinsInSpace& sum, const BinaryNode& fragment) {
       const LaneBox box = box_of(fragment);
       const WholeLanes4 first = binning.bins_of(box.low) & axes, last = binning.bins_of(box.high) & axes;
       bool is_in_one = true;
       for (int axis = 0; axis < 3; ++axis) {
         if (axes[axis] == 0) continue;
-        ++sum.of[first[axis]].begin[axis];
-        ++sum.of[last[axis]].end[axis];
-        if (first[axis] == last[axis]) sum.of[first[axis]].join(axis, box);
-        is_in_one = is_in_one && first[axis] == last[axis];
+        if (first[axis] == last[axis]) {
+          sum.at(first, axis).join(CountedBox(box, one, one));
+        } else {
+          sum.at(first, axis).join(CountedBox({}, one));
+          sum.at(last, axis).join(CountedBox({}, WholeLanes4{}, one));
+          is_in_one = false;
+        }
       }
-      if (is_in_one) return;
-      LaneBox rest[3] = {box, box, box};
-      with_primitive(scene_, fragment.index, [&](const auto& primitive) {
-        cut_off_all(primitive, binning, first, last, margin_, rest, sum);
-      });
-      for (int axis = 0; axis < 3; ++axis)
-        if (first[axis] != last[axis] && holds_something(rest[axis]))
-          sum.of[last[axis]].join(axis, rest[axis]);
-    });
-    return cheapest_split(bins.of, bins.count);
+      if (!is_in_one) add_parts(fragment, binning, first, last, sum);
+    };
+    const auto bins = summed<BinsInSpace>(range, add, binning.count());
+    return cheapest_split(bins);
   }
 
   RangeSplit split_of(const FragmentRange& range, const Extent& extent, int depth) const {
@@ -319,7 +344,8 @@ private:
     const ObjectSplit objects = object_split(range, by_centre);
     const AxisSplit& at = objects.at;
     if (at.axis < 0) return {};
-    if (range.room > 0 && is_worth_splitting(boxf(common(objects.left, objects.right)), root_area_)) {
+    if (range.room > 0 &&
+        is_worth_splitting(boxf(common(objects.left.box(), objects.right.box())), root_area_)) {
       const Binning by_space(extent.box, bins_in_space);
       const AxisSplit space = spatial_split(range, by_space, at.cost);
       if (space.cost < at.cost) return {SplitKind::by_space, space, by_space.along[space.axis]};
@@ -370,24 +396,27 @@ private:
     std::uint32_t left = 0;
     with_axis(split.at.axis, [&](auto axis) {
       const auto is_left = [&](const BinaryNode& fragment) { return split.is_left(fragment, axis); };
-      left = static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), is_left) - range.first);
+      left =
+          range.count <= 64
+              ? partitioned(range.first, range.count, is_left)
+              : static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), is_left) - range.first);
     });
     // Parts within the margin of an older plane may all come to lie on one side.
     return with_room(range, left == 0 || left == range.count ? range.count / 2 : left);
   }
 
   CollapseCosts split(std::uint32_t number, const FragmentRange& range, int depth) {
-    const Extent extent = extent_of(range);
-    const Boxf box = boxf(extent.box);
     BinaryNode& node = nodes_[number];
-    node = {box.min, range.first->index, box.max, range.count};
-    if (range.count <= 1) {
+    if (range.count == 1) {
+      node = *range.first;
+      node.count = 1;
       return with_choice(number, collapse_costs_of_leaf(node));
     }
+    const Extent extent = extent_of(range);
+    const Boxf box = boxf(extent.box);
     HostArray<BinaryNode> moved;
     const Halves halves = halves_of(range, split_of(range, extent, depth), moved);
     const std::uint32_t left = used_.fetch_add(2);
-    node.index = left;
     CollapseCosts left_costs{}, right_costs{};
     const auto split_left = [&] { left_costs = split(left, halves.left, depth + 1); };
     const auto split_right = [&] { right_costs = split(left + 1, halves.right, depth + 1); };
@@ -400,7 +429,8 @@ private:
         (*progress_)(
             std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
     }
-    node.count = nodes_[left].count + nodes_[left + 1].count; // with what was divided below
+    node = {box.min, left, box.max,
+            nodes_[left].count + nodes_[left + 1].count}; // with what was divided below
     return with_choice(number, collapse_costs(node, left_costs, right_costs));
   }
 

@@ -8,6 +8,7 @@
 #endif
 
 #include <limits>
+#include <utility>
 
 namespace masu {
 
@@ -15,22 +16,51 @@ struct LaneSides {
   LaneBox below, above;
 };
 
+#ifdef MASU_HOST_AVX2
+inline Doubles4 in_lanes(double x, double y, double z) {
+  return _mm256_setr_pd(x, y, z, 0);
+}
+inline LaneBox lanes_around(Doubles4 low, Doubles4 high, double margin) {
+  const __m256 both = rounded_up(margin - low, high + margin).v;
+  return {-_mm256_castps256_ps128(both), _mm256_extractf128_ps(both, 1)};
+}
+#endif
+
+// box_around() (node_boxes.h)
+inline LaneBox lanes_around(const Boxd& bounds, double margin) {
+#ifdef MASU_HOST_AVX2
+  return lanes_around(in_lanes(bounds.min.x, bounds.min.y, bounds.min.z),
+                      in_lanes(bounds.max.x, bounds.max.y, bounds.max.z), margin);
+#else
+  const Boxf box = box_around(bounds, margin);
+  return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
+#endif
+}
+
+// What is computed once for all planes: nothing but for cones.
+template <class Primitive>
+const Primitive& prepared_to_clip(const Primitive& primitive) {
+  return primitive;
+}
+inline ClippedCone prepared_to_clip(const Cone<double>& cone) {
+  return ClippedCone(cone);
+}
+
 template <class Primitive>
 class ClippedLanes {
 public:
-  explicit ClippedLanes(const Primitive& primitive) : primitive_(primitive) {}
+  explicit ClippedLanes(const Primitive& primitive) : primitive_(prepared_to_clip(primitive)) {}
 
   LaneSides sides(int axis, double plane, double margin) const {
-    const Sides of = sides_with_margin(primitive_, axis, plane, margin);
-    return {in_lanes(of.below), in_lanes(of.above)};
+    const ClippedBounds of = sides_of(primitive_, axis, plane, plane);
+    const auto part = [&](const Boxd& bounds) {
+      return is_empty(bounds) ? LaneBox() : lanes_around(bounds, margin);
+    };
+    return {part(of.below), part(of.above)};
   }
 
 private:
-  static LaneBox in_lanes(const Boxf& box) {
-    return {Lanes4{box.min.x, box.min.y, box.min.z, 0}, Lanes4{box.max.x, box.max.y, box.max.z, 0}};
-  }
-
-  const Primitive& primitive_;
+  decltype(prepared_to_clip(std::declval<const Primitive&>())) primitive_;
 };
 
 #ifdef MASU_HOST_AVX2
@@ -39,8 +69,8 @@ template <>
 class ClippedLanes<Triangle<double>> {
 public:
   explicit ClippedLanes(const Triangle<double>& t)
-      : corners_{lanes(t.a.x, t.a.y, t.a.z), lanes(t.b.x, t.b.y, t.b.z), lanes(t.c.x, t.c.y, t.c.z)},
-        along_{lanes(t.a.x, t.b.x, t.c.x), lanes(t.a.y, t.b.y, t.c.y), lanes(t.a.z, t.b.z, t.c.z)} {
+      : corners_{in_lanes(t.a.x, t.a.y, t.a.z), in_lanes(t.b.x, t.b.y, t.b.z), in_lanes(t.c.x, t.c.y, t.c.z)},
+        along_{in_lanes(t.a.x, t.b.x, t.c.x), in_lanes(t.a.y, t.b.y, t.c.y), in_lanes(t.a.z, t.b.z, t.c.z)} {
     for (unsigned corners = 1; corners < 8; ++corners) {
       of_corners_[corners] = of_corners_[corners & (corners - 1)];
       of_corners_[corners].add(corners_[__builtin_ctz(corners)]);
@@ -76,11 +106,9 @@ private:
       high = max(point, high);
     }
     LaneBox with(const Bounds& other, double margin) const {
-      const __m256 both = rounded_up(margin - min(low, other.low), max(high, other.high) + margin).v;
-      return {-_mm256_castps256_ps128(both), _mm256_extractf128_ps(both, 1)};
+      return lanes_around(min(low, other.low), max(high, other.high), margin);
     }
   };
-  static Doubles4 lanes(double x, double y, double z) { return _mm256_setr_pd(x, y, z, 0); }
 
   Doubles4 corners_[3], along_[3]; // along an axis, the corners'
   Bounds of_corners_[8];           // by a bit for each

@@ -4,20 +4,26 @@
 #include "libgrid/hierarchy/lane_box.h"
 #include "libgrid/hierarchy/leaf_split.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 
 namespace masu {
 
-// A node in registers: its box, and in the last lanes the rest.
+// A node in registers: its box, and in the last lanes the rest. Each half is copied alone, as both at once go
+// by way of the stack.
 inline LaneBox box_of(const BinaryNode& node) {
+  const auto* const halves = reinterpret_cast<const Lanes4*>(&node);
   LaneBox record;
-  std::memcpy(static_cast<void*>(&record), &node, sizeof node);
+  std::memcpy(&record.low, halves, sizeof record.low);
+  std::memcpy(&record.high, halves + 1, sizeof record.high);
   return record;
 }
 inline void put(const LaneBox& record, BinaryNode& to) {
-  std::memcpy(static_cast<void*>(&to), &record, sizeof to);
+  auto* const halves = reinterpret_cast<Lanes4*>(&to);
+  std::memcpy(halves, &record.low, sizeof record.low);
+  std::memcpy(halves + 1, &record.high, sizeof record.high);
 }
 
 // Calls act(a constant) for an axis; not for none.
@@ -50,10 +56,8 @@ private:
 // The cheapest candidate, of equal ones the first along the first axis.
 class CheapestSplit {
 public:
-  void add(Lanes4 left_areas, Lanes4 left_counts, Lanes4 right_areas, Lanes4 right_counts,
-           WholeLanes4 is_split, std::int32_t number) {
-    const Lanes4 cost = split_cost(left_areas, left_counts, right_areas, right_counts);
-    const WholeLanes4 is_cheaper = (cost < cost_) & is_split;
+  void add(Lanes4 cost, std::int32_t number) {
+    const WholeLanes4 is_cheaper = cost < cost_;
     cost_ = is_cheaper ? cost : cost_;
     number_ = is_cheaper ? WholeLanes4{} + number : number_;
   }
@@ -69,53 +73,40 @@ private:
   WholeLanes4 number_{};
 };
 
-// What a bin of each axis holds: the join of boxes, and how many things begin and end there.
-struct AxisBin { // NOLINT(cppcoreguidelines-pro-type-member-init): cleared before it is used
-  JoinedBox boxes_of[3];
-  std::int32_t begin[4], end[4];
+// The bins of three axes: of boxes joined, and of how many things begin and end there.
+template <std::int32_t most>
+struct AxisBins { // NOLINT(cppcoreguidelines-pro-type-member-init): cleared before they are used
+  CountedBox along[3][most];
+  std::int32_t count;
 
-  void clear() {
-    for (JoinedBox& boxes : boxes_of)
-      boxes = {};
-    for (int axis = 0; axis < 4; ++axis)
-      begin[axis] = end[axis] = 0;
+  explicit AxisBins(std::int32_t bins) : count(bins) {
+    for (auto& bins_along : along)
+      std::fill_n(bins_along, bins, CountedBox());
   }
-  void join(int axis, const LaneBox& box) { boxes_of[axis].join(JoinedBox(box)); }
-  void join(const AxisBin& other) {
-    for (int axis = 0; axis < 3; ++axis) {
-      boxes_of[axis].join(other.boxes_of[axis]);
-      begin[axis] += other.begin[axis];
-      end[axis] += other.end[axis];
-    }
+  // Of an axis the bin that is in its lane.
+  CountedBox& at(WholeLanes4 bins, int axis) { return along[axis][static_cast<std::uint32_t>(bins[axis])]; }
+  void join(const AxisBins& other) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::int32_t i = 0; i < count; ++i)
+        along[axis][i].join(other.along[axis][i]);
   }
-  LaneBox box(int axis) const { return boxes_of[axis].box(); }
-  BoxLanes boxes() const { return {box(0), box(1), box(2)}; }
-  static WholeLanes4 lanes_of(const std::int32_t (&counts)[4]) {
-    return WholeLanes4{counts[0], counts[1], counts[2], counts[3]};
-  }
+  CountedLanes lanes(std::int32_t bin) const { return {along[0][bin], along[1][bin], along[2][bin]}; }
 };
 
-// Numbered by the last bin that goes left.
-template <std::int32_t most_bins>
-AxisSplit cheapest_split(const AxisBin (&bins)[most_bins], std::int32_t count) {
-  Lanes4 right_areas[most_bins];
-  WholeLanes4 right_counts[most_bins];
-  BoxLanes right = bins[count - 1].boxes();
-  WholeLanes4 right_count{};
-  for (std::int32_t i = count - 1; i > 0; --i) {
-    right.join(bins[i].boxes());
-    right_areas[i] = right.areas();
-    right_counts[i] = right_count += AxisBin::lanes_of(bins[i].end);
+// Numbered by the last bin that goes left. A side of nothing has an area of INFINITY, which times 0 isn't
+// less than any.
+template <std::int32_t most>
+AxisSplit cheapest_split(const AxisBins<most>& bins) {
+  Lanes4 right_costs[most];
+  CountedLanes right, left;
+  for (std::int32_t i = bins.count - 1; i > 0; --i) {
+    right.join(bins.lanes(i));
+    right_costs[i] = right.areas() * __builtin_convertvector(right.end(), Lanes4);
   }
   CheapestSplit cheapest;
-  BoxLanes left = bins[0].boxes();
-  WholeLanes4 left_count{};
-  for (std::int32_t i = 0; i + 1 < count; ++i) {
-    left.join(bins[i].boxes());
-    left_count += AxisBin::lanes_of(bins[i].begin);
-    right_count = right_counts[i + 1];
-    cheapest.add(left.areas(), __builtin_convertvector(left_count, Lanes4), right_areas[i + 1],
-                 __builtin_convertvector(right_count, Lanes4), (left_count > 0) & (right_count > 0), i);
+  for (std::int32_t i = 0; i + 1 < bins.count; ++i) {
+    left.join(bins.lanes(i));
+    cheapest.add(left.areas() * __builtin_convertvector(left.begin(), Lanes4) + right_costs[i + 1], i);
   }
   return cheapest.along_any_axis();
 }
@@ -124,7 +115,7 @@ AxisSplit cheapest_split(const AxisBin (&bins)[most_bins], std::int32_t count) {
 template <class Keys>
 class SortedFew {
 public:
-  SortedFew(const LaneBox* boxes, const Keys* keys, std::uint32_t count)
+  SortedFew(const CountedBox* boxes, const Keys* keys, std::uint32_t count)
       : boxes_(boxes), keys_(keys), count_(count) {
     WholeLanes4 ranks[few_leaves]{};
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -142,32 +133,32 @@ public:
   // Between boxes of other keys; numbered by the last one that goes left.
   AxisSplit cheapest_split() const {
     Lanes4 right_areas[few_leaves];
-    BoxLanes right = lanes(count_ - 1);
+    CountedLanes right, left;
     for (std::uint32_t i = count_ - 1; i > 0; --i) {
       right.join(lanes(i));
       right_areas[i] = right.areas();
     }
     CheapestSplit cheapest;
-    BoxLanes left = lanes(0);
     for (std::uint32_t i = 0; i + 1 < count_; ++i) {
       left.join(lanes(i));
       const auto left_count = static_cast<float>(i + 1), right_count = static_cast<float>(count_ - i - 1);
-      cheapest.add(left.areas(), Lanes4{} + left_count, right_areas[i + 1], Lanes4{} + right_count,
-                   keys(i) != keys(i + 1), static_cast<std::int32_t>(i));
+      const Lanes4 cost =
+          split_cost(left.areas(), Lanes4{} + left_count, right_areas[i + 1], Lanes4{} + right_count);
+      cheapest.add(keys(i) != keys(i + 1) ? cost : Lanes4{} + INFINITY, static_cast<std::int32_t>(i));
     }
     return cheapest.along_any_axis();
   }
   auto key(const AxisSplit& split) const { return keys_[order_[split.axis][split.number]][split.axis]; }
 
 private:
-  BoxLanes lanes(std::uint32_t i) const {
+  CountedLanes lanes(std::uint32_t i) const {
     return {boxes_[order_[0][i]], boxes_[order_[1][i]], boxes_[order_[2][i]]};
   }
   Keys keys(std::uint32_t i) const {
     return Keys{keys_[order_[0][i]][0], keys_[order_[1][i]][1], keys_[order_[2][i]][2], 0};
   }
 
-  const LaneBox* boxes_;
+  const CountedBox* boxes_;
   const Keys* keys_;
   std::uint32_t count_;
   std::uint8_t order_[3][few_leaves]{};

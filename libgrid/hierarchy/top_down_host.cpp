@@ -13,11 +13,12 @@ namespace masu {
 namespace {
 
 LeafSplit cheapest_of_few(const BinaryNode* leaves, std::uint32_t count) {
-  LaneBox boxes[few_leaves];
+  CountedBox boxes[few_leaves];
   Lanes4 centres[few_leaves];
   for (std::uint32_t i = 0; i < count; ++i) {
-    boxes[i] = box_of(leaves[i]);
-    centres[i] = boxes[i].twice_the_centre();
+    const LaneBox box = box_of(leaves[i]);
+    boxes[i] = CountedBox(box);
+    centres[i] = box.twice_the_centre();
   }
   const SortedFew sorted(boxes, centres, count);
   const AxisSplit split = sorted.cheapest_split();
@@ -37,28 +38,20 @@ LeafSplit cheapest_of_many(const BinaryNode* leaves, std::uint32_t count, const 
   const LeafBins along[] = {
       {sample, centres, space, 0}, {sample, centres, space, 1}, {sample, centres, space, 2}};
   const BinLanes bins_of(along);
-  const std::int32_t bin_count = along[0].count;
   // Two sets take turns where leaves are many: those in a row are often in one bin, and each waits for what
   // the one before has written.
-  AxisBin bins[max_bins], odd_bins[max_bins];
-  AxisBin* const sets[] = {bins, count > 64 ? odd_bins : bins};
-  for (AxisBin* const set : sets)
-    for (std::int32_t i = 0; i < bin_count; ++i)
-      set[i].clear();
+  AxisBins<max_bins> bins(along[0].count), odd_bins(count > 64 ? bins.count : 0);
+  AxisBins<max_bins>* const sets[] = {&bins, count > 64 ? &odd_bins : &bins};
   sample.for_each(0, 1, [&](std::uint32_t i, std::uint32_t stands_for) {
     const LaneBox box = box_of(leaves[i]);
-    const WholeLanes4 in = bins_of(box.twice_the_centre());
-    for (int axis = 0; axis < 3; ++axis) {
-      AxisBin& bin = sets[i % 2][in[axis]];
-      bin.join(axis, box);
-      bin.begin[axis] += static_cast<std::int32_t>(stands_for);
-    }
+    const WholeLanes4 in = bins_of(box.twice_the_centre()),
+                      number = WholeLanes4{} + static_cast<std::int32_t>(stands_for);
+    const CountedBox counted(box, number, number);
+    for (int axis = 0; axis < 3; ++axis)
+      sets[i % 2]->at(in, axis).join(counted);
   });
-  for (std::int32_t i = 0; i < bin_count; ++i) {
-    if (sets[1] != bins) bins[i].join(odd_bins[i]);
-    std::copy_n(bins[i].begin, 4, bins[i].end);
-  }
-  const AxisSplit split = cheapest_split(bins, bin_count);
+  if (odd_bins.count > 0) bins.join(odd_bins);
+  const AxisSplit split = cheapest_split(bins);
   if (split.axis < 0) return {};
   return {split.cost, split.axis, along[split.axis].end(split.number)};
 }

@@ -170,23 +170,29 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   return met;
 }
 
-// The bounds of a disc across an axis, rounded outwards.
-MASU_HD inline Boxd disc_bounds(const Vec3d& center, double radius, const Vec3d& axis) {
+// How far a disc across an axis reaches, in its radii.
+MASU_HD inline Vec3d disc_reach(const Vec3d& axis) {
   const double square = dot(axis, axis);
   Vec3d reach{};
   for (int i = 0; i < 3; ++i) {
     const double along1 = axis[(i + 1) % 3], along2 = axis[(i + 2) % 3];
-    reach.set(i, radius * std::sqrt((along1 * along1 + along2 * along2) / square) * (1 + 1e-14));
+    reach.set(i, std::sqrt((along1 * along1 + along2 * along2) / square));
   }
-  return {center - reach, center + reach};
+  return reach;
+}
+
+// The bounds of a disc, rounded outwards.
+MASU_HD inline Boxd disc_bounds(const Vec3d& center, double radius, const Vec3d& reach) {
+  const Vec3d side = reach * radius * (1 + 1e-14);
+  return {center - side, center + side};
 }
 
 // Of both end discs.
 template <class Stored>
 MASU_HD inline Boxd bounds(const Cone<Stored>& cone) {
-  const Vec3d base = cast<double>(cone.base), apex = cast<double>(cone.apex), axis = apex - base;
-  return join(disc_bounds(base, std::abs(static_cast<double>(cone.base_radius)), axis),
-              disc_bounds(apex, std::abs(static_cast<double>(cone.apex_radius)), axis));
+  const Vec3d base = cast<double>(cone.base), apex = cast<double>(cone.apex), reach = disc_reach(apex - base);
+  return join(disc_bounds(base, std::abs(static_cast<double>(cone.base_radius)), reach),
+              disc_bounds(apex, std::abs(static_cast<double>(cone.apex_radius)), reach));
 }
 
 } // namespace masu

@@ -153,9 +153,9 @@ MASU_ALWAYS_INLINE float rounded_up(double value) {
   return __double2float_ru(value);
 #else
   const auto nearest = static_cast<float>(value);
-  if (!(static_cast<double>(nearest) < value)) return nearest;
-  const std::uint32_t bits = bits_of(nearest);
-  return float_of(nearest == 0 ? 1U : nearest > 0 ? bits + 1 : bits - 1);
+  // Away from zero if it is positive. Without a branch: which way a number was rounded can't be predicted.
+  const std::uint32_t bits = bits_of(nearest), step = 1 | -(bits >> 31);
+  return float_of(bits + step * static_cast<std::uint32_t>(static_cast<double>(nearest) < value));
 #endif
 }
 MASU_ALWAYS_INLINE float rounded_down(double value) {

@@ -57,28 +57,40 @@ MASU_HD inline ClippedBounds sides_of(const Sphere<double>& sphere, int axis, do
   return sides;
 }
 
-MASU_HD inline ClippedBounds sides_of(const Cone<double>& cone, int axis, double low, double high) {
-  const Vec3d along = cone.apex - cone.base;
-  const double base_radius = std::abs(cone.base_radius), apex_radius = std::abs(cone.apex_radius);
-  const Boxd base = disc_bounds(cone.base, base_radius, along),
-             apex = disc_bounds(cone.apex, apex_radius, along);
-  // More than what the discs' places along the axis are rounded by.
-  const double slack = 0x1p-49 * largest_magnitude(join(base, apex));
+// A cone, and what bounds of all of its parts take.
+struct ClippedCone {
+  Vec3d middle, along, reach; // middle: the base's
+  double base_radius, apex_radius;
+  Boxd base, apex;
+  double slack; // more than what the discs' places along an axis are rounded by
+
+  MASU_HD explicit ClippedCone(const Cone<double>& cone)
+      : middle(cone.base), along(cone.apex - cone.base), reach(disc_reach(along)),
+        base_radius(std::abs(cone.base_radius)), apex_radius(std::abs(cone.apex_radius)),
+        base(disc_bounds(cone.base, base_radius, reach)), apex(disc_bounds(cone.apex, apex_radius, reach)),
+        slack(0x1p-49 * largest_magnitude(join(base, apex))) {}
+};
+MASU_HD inline ClippedBounds sides_of(const ClippedCone& cone, int axis, double low, double high) {
   // The bounds of the discs that reach a plane's side, from how far beyond the plane those of base and apex
   // are (what reaches it: zero or less); in between that changes evenly along the axis.
   const auto reaching = [&](double from_base, double from_apex) {
     if (from_base > 0 && from_apex > 0) return empty_box<double>();
     const auto disc = [&](double share) {
-      return disc_bounds(cone.base + along * share, base_radius + (apex_radius - base_radius) * share, along);
+      return disc_bounds(cone.middle + cone.along * share,
+                         cone.base_radius + (cone.apex_radius - cone.base_radius) * share, cone.reach);
     };
     const double share = from_base / (from_base - from_apex); // of the axis, where a disc just does
-    return join(from_base > 0 ? disc(share) : base, from_apex > 0 ? disc(share) : apex);
+    return join(from_base > 0 ? disc(share) : cone.base, from_apex > 0 ? disc(share) : cone.apex);
   };
-  ClippedBounds sides{reaching(base.min[axis] - slack - low, apex.min[axis] - slack - low),
-                      reaching(high - slack - base.max[axis], high - slack - apex.max[axis])};
+  const double slack = cone.slack;
+  ClippedBounds sides{reaching(cone.base.min[axis] - slack - low, cone.apex.min[axis] - slack - low),
+                      reaching(high - slack - cone.base.max[axis], high - slack - cone.apex.max[axis])};
   sides.below.max.set(axis, std::min(sides.below.max[axis], low));
   sides.above.min.set(axis, std::max(sides.above.min[axis], high));
   return sides;
+}
+MASU_HD inline ClippedBounds sides_of(const Cone<double>& cone, int axis, double low, double high) {
+  return sides_of(ClippedCone(cone), axis, low, high);
 }
 
 // The side of a square as large as what is seen of the primitive from where it is seen best.
