@@ -107,7 +107,8 @@ def arrays(triangles, device):
 
 
 class Embree:
-    """Embree 3 by its C interface: triangles, robust; lists of rays, by a thread a core."""
+    """Embree 3 by its C interface: triangles; lists of rays, by a thread a core. Robust, but for high quality: with that
+    flag it builds as for medium."""
     RECORD = np.dtype([("origin", "f4", 3), ("tmin", "f4"), ("direction", "f4", 3), ("time", "f4"), ("t", "f4"),
                        ("mask", "u4"), ("id", "u4"), ("flags", "u4"), ("normal", "f4", 3), ("uv", "f4", 2),
                        ("primitive", "u4"), ("geometry", "u4"), ("instance", "u4")])
@@ -120,7 +121,7 @@ class Embree:
             return c_void_p(create(*arguments))
         self.device = made(embree.rtcNewDevice, None)
         self.scene = made(embree.rtcNewScene, self.device)
-        embree.rtcSetSceneFlags(self.scene, 4)  # RTC_SCENE_FLAG_ROBUST
+        embree.rtcSetSceneFlags(self.scene, 0 if quality == "high" else 4)  # RTC_SCENE_FLAG_ROBUST
         embree.rtcSetSceneBuildQuality(self.scene, ("low", "medium", "high").index(quality))
         geometry = made(embree.rtcNewGeometry, self.device, 0)
         self.kept = faces, np.append(vertices, np.zeros((1, 3), np.float32), 0)  # read 16 bytes at a time
