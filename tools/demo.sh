@@ -8,7 +8,7 @@ source tools/setup.sh
 require "${basics[@]}" -- "${extras[@]}"
 find_cuda
 
-echo "== building the programs: some two minutes on two cores"
+echo "== building the programs: a minute or two on two cores"
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=OFF "${cuda_options[@]}" \
   -- --target nffgen nff2bin gridbuild gridstat gridrender
 
