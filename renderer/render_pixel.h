@@ -19,9 +19,10 @@ inline constexpr int largest_depth = 32;
 enum class HitName { object, primitive, face };
 
 struct RenderRules {
-  std::int32_t depth; // of the last ray that is traced; the camera's is 1; at most largest_depth; 0: unshaded
-  bool spd_rules;     // a surface with Ks > 0 or T > 0 reflects even where that can't be seen
-  HitName hit_name;
+  std::int32_t depth =
+      0; // of the last ray that is traced; the camera's is 1; at most largest_depth; 0: unshaded
+  bool spd_rules = false; // a surface with Ks > 0 or T > 0 reflects even where that can't be seen
+  HitName hit_name = HitName::object;
   float offset = 1; // of secondary rays, in error bounds of the points that they leave
 };
 

@@ -35,7 +35,7 @@ void divide(Executor& executor, const SceneView<Stored>& scene, double margin,
   const BinaryNode* const fragment = order.fragments.data();
   const std::uint32_t* const range_of = order.ranges.data();
   const auto crossing = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
-    Sides parts;
+    Sides parts{};
     return split[range_of[i]].divides(scene, margin, fragment[i], parts);
   });
   const std::uint32_t* const crossing_before = crossing.data();
@@ -57,7 +57,7 @@ void divide(Executor& executor, const SceneView<Stored>& scene, double margin,
     const std::uint32_t before = crossing_before[i] - crossing_before[first];
     BinaryNode whole = fragment[i];
     to_range[at] = own;
-    Sides parts;
+    Sides parts{};
     if (crossing_before[i + 1] != crossing_before[i] && before < room &&
         split[own].divides(scene, margin, whole, parts)) {
       const std::uint64_t above = std::uint64_t{first} + added_before[own] + in_range + before;

@@ -31,10 +31,9 @@ template <class Stored>
 struct PlacedMeshSearch {
   ClosestSearch<Stored>& found;
   const PlacedView<Stored>& placed;
-  std::uint32_t placement;
-  Vec3d place; // carried
-  double lengthening, padding;
-  double farthest = 0;
+  std::uint32_t placement = 0;
+  Vec3d place{}; // carried
+  double lengthening = 0, padding = 0, farthest = 0;
 
   MASU_HD void update() {
     const double away = std::sqrt(found.farthest * lengthening) + padding;

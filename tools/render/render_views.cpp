@@ -305,6 +305,7 @@ private:
       if (output.files.empty()) {
         std::vector<ViewFile> files = files_of(request_, layout_.bands[view], view);
         std::vector<std::unique_ptr<PartedFile>> opened;
+        opened.reserve(files.size());
         for (const ViewFile& file : files)
           opened.push_back(std::make_unique<PartedFile>(file.path, file.form));
         output.files = std::move(files);
