@@ -36,7 +36,8 @@ void check_hierarchy(const Boxd& space) {
 
 void check_hierarchy(std::uint64_t primitives, const Boxd& space) {
   check_hierarchy(space);
-  check_hierarchy(primitives, available_memory());
+  check_hierarchy(primitives,
+                  available_memory_for(hierarchy_bytes_per_primitive * static_cast<double>(primitives)));
 }
 
 template <class Stored>

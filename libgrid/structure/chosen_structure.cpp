@@ -31,7 +31,7 @@ double expected_build_bytes(const GridLayout& layout, double references) {
 
 // Throws Error(usage, "division", …).
 void check_memory(const GridLayout& layout, double references, bool is_automatic) {
-  const double needed = expected_build_bytes(layout, references), available = available_memory();
+  const double needed = expected_build_bytes(layout, references), available = available_memory_for(needed);
   if (needed <= available) return;
   const Vec3i n = layout.division;
   throw Error(

@@ -1,6 +1,7 @@
 // How much memory this process may take.
 #pragma once
 
+#include <limits>
 #include <string>
 
 namespace masu {
@@ -9,5 +10,11 @@ namespace masu {
 // control groups (a container's, a batch job's) leave, if that is less. Infinity where neither is known.
 // `root`: where proc and sys are mounted.
 double available_memory(const std::string& root = "/");
+
+// For so many bytes; for few of them infinity: to ask takes longer than to write so much.
+inline double available_memory_for(double needed) {
+  constexpr double few = 0x1p26;
+  return needed > few ? available_memory() : std::numeric_limits<double>::infinity();
+}
 
 } // namespace masu

@@ -17,8 +17,6 @@
 namespace masu {
 namespace {
 
-// Less is allocated without asking how much memory is available, which takes longer than reading it.
-constexpr std::uint64_t small_bytes = std::uint64_t{64} << 20;
 
 std::string gigabytes(double bytes) {
   return fmt::format("{:.2g} GB", bytes * 1e-9);
@@ -65,11 +63,9 @@ void InputFile::fail(const std::string& what) const {
 
 PrivateMemory InputFile::memory(std::uint64_t bytes) const {
   const auto needed = static_cast<double>(bytes);
-  if (bytes > small_bytes) {
-    if (const double available = available_memory(); needed > available)
-      fail(fmt::format("needs {} of memory, {} are available: use a machine with more memory",
-                       gigabytes(needed), gigabytes(available)));
-  }
+  if (const double available = available_memory_for(needed); needed > available)
+    fail(fmt::format("needs {} of memory, {} are available: use a machine with more memory",
+                     gigabytes(needed), gigabytes(available)));
   return PrivateMemory(bytes);
 }
 

@@ -30,8 +30,7 @@ std::uint64_t checked_size(const MeshFile& file, const ImportOptions& options, c
   const std::uint64_t each = sizeof(SceneTriangle) + sizeof(std::uint32_t) +
                              (options.smooth ? sizeof(CornerNormals<double>) : std::uint64_t{0});
   const double needed = static_cast<double>(triangles) * static_cast<double>(each);
-  constexpr double small = 0x1p26; // to ask how much is available takes longer than to read so much
-  if (const double available = needed > small ? available_memory() : needed; needed > available)
+  if (const double available = available_memory_for(needed); needed > available)
     throw Error(ErrorCode::input, name,
                 fmt::format("its {} triangles, instances expanded, take {:.1f} GB of memory, and {:.1f} are "
                             "available: split the file",
