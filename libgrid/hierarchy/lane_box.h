@@ -12,6 +12,7 @@ using Lanes4 = float __attribute__((vector_size(16)));
 using WholeLanes4 = std::int32_t __attribute__((vector_size(16)));
 using Lanes8 = float __attribute__((vector_size(32)));
 using WholeLanes8 = std::int32_t __attribute__((vector_size(32)));
+using BitLanes8 = std::uint32_t __attribute__((vector_size(32)));
 
 inline Lanes4 smaller(Lanes4 a, Lanes4 b) {
   return a < b ? a : b;
@@ -49,8 +50,10 @@ struct CountedBox {
         __builtin_shufflevector(begin, end, 0, 1, 2, 3, 4, 5, 6, 7));
   }
   void join(const CountedBox& other) {
+    // Of all lanes: without a sign, for the sums of planes mean nothing.
     set(planes < other.planes ? planes : other.planes,
-        reinterpret_cast<WholeLanes8>(planes) + reinterpret_cast<WholeLanes8>(other.planes));
+        reinterpret_cast<WholeLanes8>(reinterpret_cast<BitLanes8>(planes) +
+                                      reinterpret_cast<BitLanes8>(other.planes)));
   }
   LaneBox box() const {
     return {__builtin_shufflevector(planes, planes, 0, 1, 2, 3),
