@@ -17,7 +17,6 @@
 namespace masu {
 namespace {
 
-
 std::string gigabytes(double bytes) {
   return fmt::format("{:.2g} GB", bytes * 1e-9);
 }
