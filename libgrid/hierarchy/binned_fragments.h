@@ -21,10 +21,6 @@ inline LaneBox common(const LaneBox& a, const LaneBox& b) {
   return {larger(a.low, b.low), smaller(a.high, b.high)};
 }
 
-inline Boxf boxf(const LaneBox& box) {
-  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
-}
-
 inline bool same(const LaneBox& a, const LaneBox& b) {
   return all_axes((a.low == b.low) & (a.high == b.high));
 }

@@ -4,7 +4,6 @@
 #include "libgrid/hierarchy/lane_box.h"
 #include "libgrid/hierarchy/leaf_split.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -24,6 +23,10 @@ inline void put(const LaneBox& record, BinaryNode& to) {
   auto* const halves = reinterpret_cast<Lanes4*>(&to);
   std::memcpy(halves, &record.low, sizeof record.low);
   std::memcpy(halves + 1, &record.high, sizeof record.high);
+}
+
+inline Boxf boxf(const LaneBox& box) {
+  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
 }
 
 // Calls act(a constant) for an axis; not for none.
@@ -75,14 +78,11 @@ private:
 
 // The bins of three axes: of boxes joined, and of how many things begin and end there.
 template <std::int32_t most>
-struct AxisBins { // NOLINT(cppcoreguidelines-pro-type-member-init): cleared before they are used
+struct AxisBins {
   CountedBox along[3][most];
   std::int32_t count;
 
-  explicit AxisBins(std::int32_t bins) : count(bins) {
-    for (auto& bins_along : along)
-      std::fill_n(bins_along, bins, CountedBox());
-  }
+  explicit AxisBins(std::int32_t bins) : count(bins) {}
   // Of an axis the bin that is in its lane.
   CountedBox& at(WholeLanes4 bins, int axis) { return along[axis][static_cast<std::uint32_t>(bins[axis])]; }
   void join(const AxisBins& other) {

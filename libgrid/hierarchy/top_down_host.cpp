@@ -33,8 +33,7 @@ LeafSplit cheapest_of_many(const BinaryNode* leaves, std::uint32_t count, const 
     const Lanes4 centre = box_of(leaves[i]).twice_the_centre();
     around.join({centre, centre});
   });
-  const Boxf centres{{around.low[0], around.low[1], around.low[2]},
-                     {around.high[0], around.high[1], around.high[2]}};
+  const Boxf centres = boxf(around);
   const LeafBins along[] = {
       {sample, centres, space, 0}, {sample, centres, space, 1}, {sample, centres, space, 2}};
   const BinLanes bins_of(along);

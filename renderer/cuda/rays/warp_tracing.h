@@ -6,9 +6,8 @@
 //    go one step further first.
 //  - Rays. Lanes whose rays are done fetch new ones, after Aila & Laine, "Understanding the Efficiency of Ray
 //    Traversal on GPUs", HPG 2009: soon where rays side by side have little in common, else all at once.
-//  - Segments. The last rays are dealt out to all warps (renderer/cuda/rays/straggler_queue.h). The segments
-//  that
-//    remain of them are split over the lanes.
+//  - Segments. The last rays are dealt out to all warps (renderer/cuda/rays/straggler_queue.h). The
+//    segments that remain of them are split over the lanes.
 //
 // Results are the same: which hit is nearest, ties included, depends neither on the order of tests nor on the
 // lane that makes them, and a walk may begin anywhere along the ray (libgrid/grid/grid_walk.h).
