@@ -91,20 +91,7 @@ void require_hierarchy(const StructureFile* grid) {
     fail("grid", "isn't a hierarchy, which alone can be refitted: build one with MASU_STRUCTURE_BVH");
 }
 
-StructureFile fast_hierarchy(const SceneFile& scene, int device,
-                             const std::function<void(double)>& progress) {
-  masu_build_options options = default_options();
-  options.quality = MASU_QUALITY_FAST;
-  return built_grid(scene, build_options(options), device, progress);
-}
-
-StructureFile soonest(const SceneFile& scene, int device, const std::function<void(double)>& progress) {
-  const bool fits =
-      scene.primitive_count() <= max_hierarchy_primitives &&
-      scene.with_view([&]<class Stored>(const SceneView<Stored>&) {
-        return fits_hierarchy(layout_in<Stored>(scene.bounds(), {1, 1, 1}, SpaceRule::tight).space);
-      });
-  if (fits) return fast_hierarchy(scene, device, progress);
+StructureFile usual_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress) {
   masu_build_options options = default_options();
   options.structure = MASU_STRUCTURE_GRID;
   options.for_cpu = device == MASU_CPU ? 1 : 0;

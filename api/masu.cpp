@@ -1,5 +1,7 @@
 // Tracers and queries of the C interface, and its errors.
 #include "boundary.h"
+#include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/printable.h"
 #include "libscene/base/processor.h"
 #include "objects.h"
@@ -23,11 +25,12 @@ namespace {
 // What a tracer traces, until an update.
 struct State {
   std::shared_ptr<const masu::SceneFile> scene;    // none of placed meshes
-  std::shared_ptr<const masu::StructureFile> grid; // likewise, and for brute force
+  std::shared_ptr<const masu::StructureFile> grid; // likewise, for brute force, and what was built on GPUs
   std::variant<masu::ResidentTracer, masu::PlacedTracer> tracer;
   std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
   bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
   mutable std::mutex mutex;                // of what follows
+  mutable std::shared_ptr<const masu::StructureFile> built_grid; // a copy of what was built on GPUs
   // For closest points and winding numbers, made by their first query.
   mutable std::shared_ptr<const State> by_hierarchy;
   mutable std::shared_ptr<const masu::WindingClusters> clusters;
@@ -39,8 +42,10 @@ struct State {
         tracer(std::in_place_type<masu::ResidentTracer>, *scene, grid.get(),
                gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus),
         loops(std::make_shared<masu::UsualLoops>()) {}
-  State(const State& before, masu::ResidentTracer moved)
-      : scene(before.scene), grid(before.grid), tracer(std::move(moved)), loops(before.loops),
+  State(std::shared_ptr<const masu::SceneFile> scene_, masu::ResidentTracer built)
+      : scene(std::move(scene_)), tracer(std::move(built)) {}
+  State(const State& before, std::shared_ptr<const masu::StructureFile> grid_, masu::ResidentTracer moved)
+      : scene(before.scene), grid(std::move(grid_)), tracer(std::move(moved)), loops(before.loops),
         is_on_gpu_alone(true) {}
   explicit State(masu::PlacedTracer tracer_) : tracer(std::move(tracer_)) {}
 
@@ -187,18 +192,44 @@ std::shared_ptr<const T> kept(const State& tracer, std::shared_ptr<const T>& kep
   return kept_there;
 }
 
+// What it traces through; null for brute force and placed meshes.
+std::shared_ptr<const StructureFile> grid_of(const State& state) {
+  if (state.grid || state.placed() != nullptr || !state.resident().is_built_here()) return state.grid;
+  return kept(state, state.built_grid, [&] {
+    return std::make_shared<const StructureFile>(state.resident().built_hierarchy());
+  });
+}
+
+std::shared_ptr<const State> with_fast_hierarchy(const std::shared_ptr<const SceneFile>& scene,
+                                                 const std::vector<int>& gpus,
+                                                 const std::function<void(double)>& progress) {
+  if (!gpus.empty())
+    return std::make_shared<const State>(scene, ResidentTracer::by_fast_hierarchy(*scene, gpus, progress));
+  auto hierarchy = std::make_shared<const StructureFile>(built_in_memory(*scene, fast_hierarchy_options(), progress));
+  return std::make_shared<const State>(scene, std::move(hierarchy), gpus);
+}
+
+// What answers soonest: a hierarchy, or for a scene that none holds a grid.
+std::shared_ptr<const State> soonest(const std::shared_ptr<const SceneFile>& scene,
+                                     const std::vector<int>& gpus,
+                                     const std::function<void(double)>& progress) {
+  const bool fits =
+      scene->primitive_count() <= max_hierarchy_primitives &&
+      scene->with_view([&]<class Stored>(const SceneView<Stored>&) {
+        return fits_hierarchy(layout_in<Stored>(scene->bounds(), {1, 1, 1}, SpaceRule::tight).space);
+      });
+  if (fits) return with_fast_hierarchy(scene, gpus, progress);
+  auto grid = std::make_shared<const StructureFile>(
+      usual_grid(*scene, gpus.empty() ? MASU_CPU : gpus.front(), progress));
+  return std::make_shared<const State>(scene, std::move(grid), gpus);
+}
+
 // The same scene by a hierarchy, or none for brute force.
 std::shared_ptr<const State> by_hierarchy(const std::shared_ptr<const State>& state,
                                           const std::function<void(double)>& progress) {
   if (!state->grid || state->grid->is_hierarchy()) return state;
-  return kept(*state, state->by_hierarchy, [&] {
-    const std::vector<int>& gpus = state->resident().gpus();
-    return std::make_shared<const State>(
-        state->scene,
-        std::make_shared<const StructureFile>(
-            fast_hierarchy(*state->scene, gpus.empty() ? MASU_CPU : gpus.front(), progress)),
-        gpus);
-  });
+  return kept(*state, state->by_hierarchy,
+              [&] { return with_fast_hierarchy(state->scene, state->resident().gpus(), progress); });
 }
 
 // Traces rays where they lie; the results must be there, too.
@@ -243,11 +274,11 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
     return trace_by(*placed);
   }
   const ResidentTracer& tracer = state->resident();
-  if (loop == MASU_LOOP_AUTO && state->grid && tracer.device() == Device::cuda && !is_of_places &&
+  if (loop == MASU_LOOP_AUTO && tracer.device() == Device::cuda && !is_of_places &&
       !needs_hits_in_order(list, results, request)) {
-    if (state->grid->is_hierarchy())
+    if (tracer.is_hierarchy())
       request.loop = wanted.coherent != 0 ? RayLoop::thread_per_ray : RayLoop::automatic;
-    else
+    else if (state->grid)
       request.loop = place == host_memory && count >= rays_worth_a_sample
                          ? automatic_loop(tracer, list, request.query, request.tracing.precision)
                          : state->loops->of(tracer, wanted.coherent != 0);
@@ -294,14 +325,17 @@ PlacementMoves moves_of(const masu_transforms& given) {
           given.count, ready(given.indices, given.stream, "transforms"), given.square != 0};
 }
 
-// Refitted where the tracer traces; where that can't be, built anew in host memory.
+// Refitted where the tracer traces; where that can't be, built anew in host memory. The hierarchy of before is
+// kept there, for who asks for it.
 std::shared_ptr<const State> moved(const State& before, const Vertices& vertices) {
+  const std::shared_ptr<const StructureFile> hierarchy = grid_of(before);
+  require_hierarchy(hierarchy.get());
   if (before.resident().device() == Device::cuda) {
     if (std::optional<ResidentTracer> tracer = before.resident().moved(vertices))
-      return std::make_shared<const State>(before, *std::move(tracer));
+      return std::make_shared<const State>(before, hierarchy, *std::move(tracer));
   }
   auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));
-  auto grid = std::make_shared<const StructureFile>(refitted_grid(*before.grid, *scene));
+  auto grid = std::make_shared<const StructureFile>(refitted_grid(*hierarchy, *scene));
   return std::make_shared<const State>(std::move(scene), std::move(grid), before.resident().gpus());
 }
 
@@ -344,21 +378,18 @@ masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
                                scene->placed, choice<HierarchyQuality>(wanted.quality, 2, "quality"),
                                wanted.brute_force != 0, gpus, go_on.progress())));
     }
-    std::shared_ptr<const StructureFile> file;
-    if (grid != nullptr)
-      file = grid->file;
-    else if (wanted.brute_force == 0)
-      file = std::make_shared<const StructureFile>(
-          soonest(scene->as_file(), gpus.empty() ? MASU_CPU : gpus.front(), go_on.progress()));
-    return std::make_unique<masu_tracer>(scene->vertices,
-                                         std::make_shared<const State>(scene->file, std::move(file), gpus));
+    if (grid == nullptr && wanted.brute_force == 0)
+      return std::make_unique<masu_tracer>(scene->vertices, soonest(scene->file, gpus, go_on.progress()));
+    return std::make_unique<masu_tracer>(
+        scene->vertices,
+        std::make_shared<const State>(scene->file, grid != nullptr ? grid->file : nullptr, gpus));
   });
 }
 
 masu_status masu_tracer_grid(const masu_tracer* tracer, masu_grid** grid) {
   return make(grid, "grid", [&] {
     require(tracer, "tracer");
-    const std::shared_ptr<const StructureFile> file = tracer->state()->grid;
+    const std::shared_ptr<const StructureFile> file = grid_of(*tracer->state());
     if (file == nullptr) fail("tracer", "has no grid");
     return std::make_unique<masu_grid>(masu_grid{file});
   });
@@ -371,7 +402,6 @@ masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertice
     const std::lock_guard lock(tracer->update);
     const auto before = tracer->state();
     if (before->placed() != nullptr) fail("tracer", "is of placed meshes: masu_tracer_place() moves them");
-    require_hierarchy(before->grid.get());
     // Isolated, or a thread that waits might take another task of the program that updates.
     tbb::this_task_arena::isolate(
         [&] { tracer->set_state(moved(*before, vertices_of(given, *tracer->vertices))); });
@@ -473,11 +503,11 @@ masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t c
       if (state->is_on_gpu_alone)
         fail("tracer", "was moved on a GPU: winding numbers are computed in host memory");
       if (!list.format.is_relative) list.format.origin = state->scene->origin();
-      const StructureFile* const hierarchy = state->grid.get();
+      const std::shared_ptr<const StructureFile> hierarchy = grid_of(*state);
       const auto clusters = kept(*state, state->clusters, [&] {
-        return std::make_shared<const WindingClusters>(winding_clusters(*state->scene, hierarchy));
+        return std::make_shared<const WindingClusters>(winding_clusters(*state->scene, hierarchy.get()));
       });
-      winding_numbers(*state->scene, hierarchy, *clusters, list, bound, winding, inside, progress);
+      winding_numbers(*state->scene, hierarchy.get(), *clusters, list, bound, winding, inside, progress);
     });
   });
 }

@@ -320,8 +320,8 @@ typedef struct masu_tracer_options {
   void* user;           /* for go_on */
 } masu_tracer_options;
 
-/* `grid` must be of the scene's geometry. Where it is NULL, what answers soonest is built on the first
- * device: a hierarchy of MASU_QUALITY_FAST, or a grid where the scene is too large for one. */
+/* `grid` must be of the scene's geometry. Where it is NULL, what answers soonest is built: on each device a
+ * hierarchy of MASU_QUALITY_FAST, or on the first one a grid where the scene is too large for that. */
 MASU_API masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
                                         const masu_tracer_options* options, masu_tracer** tracer);
 
@@ -369,8 +369,8 @@ typedef struct masu_transforms {
  * too far. */
 MASU_API masu_status masu_tracer_place(masu_tracer* tracer, const masu_transforms* transforms);
 
-/* What a tracer traces through, given or built. An error for brute force; of a tracer that was moved on a
- * GPU, what it was before. */
+/* What a tracer traces through, given or built; of what GPUs have built, a copy. An error for brute force; of a
+ * tracer that was moved on a GPU, what it was before. */
 MASU_API masu_status masu_tracer_grid(const masu_tracer* tracer, masu_grid** grid);
 
 /* Waits for what runs, and gives memory back. NULL is allowed. */

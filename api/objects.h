@@ -36,10 +36,8 @@ struct masu_grid {
 
 namespace masu {
 
-// A hierarchy of MASU_QUALITY_FAST, built on a device: the GPU of that number, or MASU_CPU.
-StructureFile fast_hierarchy(const SceneFile& scene, int device, const std::function<void(double)>& progress);
-// What answers soonest on a device: that, or for a scene that no hierarchy holds a grid.
-StructureFile soonest(const SceneFile& scene, int device, const std::function<void(double)>& progress);
+// A grid for a device, built there: the GPU of that number, or MASU_CPU.
+StructureFile usual_grid(const SceneFile& scene, int device, const std::function<void(double)>& progress);
 
 // A scene in memory whose triangles have moved. Throws as moved_triangles() does (move_passes.h).
 SceneFile moved_scene(const SceneFile& scene, const Vertices& vertices);

@@ -56,6 +56,11 @@ void set_up_cuda(int device);
 // before any index in it is followed. Throws Error(device), Error(input) for a damaged or changed file.
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* structure,
                                                      int device);
+// Copies the scene, and builds a hierarchy of quality fast of it there. Throws likewise.
+std::shared_ptr<const DeviceFiles> built_files_cuda(const SceneFile& scene, int device,
+                                                    const ProgressMonitor* progress);
+// A copy of the hierarchy that was built there.
+Structure built_hierarchy_cuda(const DeviceFiles& files);
 // ResidentTracer::moved() on a device, of a scene of that origin: null where it returns none.
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,
                                                     const Vertices& vertices);

@@ -1,8 +1,8 @@
 // One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
 #include "libgrid/grid/merge_passes.h"
+#include "libgrid/hierarchy/device_hierarchy.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/leaf_passes.h"
-#include "libgrid/hierarchy/moved_hierarchy.h"
 #include "libgrid/hierarchy/refit_passes.h"
 #include "libgrid/hierarchy/spatial_split_passes.h"
 #include "libgrid/hierarchy/top_down_passes.h"
@@ -52,6 +52,16 @@ auto on_gpu(int gpu, const ProgressMonitor* progress, const Act& act) {
 }
 
 template <class Stored>
+ExecutorStructure<CudaExecutor> hierarchy(CudaExecutor& executor, const SceneView<Stored>& scene,
+                                          const GridLayout& layout, HierarchyQuality quality) {
+  auto leaves = hierarchy_leaves(executor, scene, layout);
+  return collapsed_hierarchy(executor, layout,
+                             quality == HierarchyQuality::fast
+                                 ? top_down_hierarchy(executor, leaves, layout.space)
+                                 : spatial_split_hierarchy(executor, scene, layout.margin, std::move(leaves)));
+}
+
+template <class Stored>
 class CudaBuilder final : public StructureBuilder<Stored> {
 public:
   CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress, bool is_timed)
@@ -78,7 +88,7 @@ public:
     return on_gpu(gpu_, &this->progress(), [&] {
       if (options.kind == StructureKind::hierarchy) {
         check_hierarchy(host_.primitive_count(), layout.space);
-        return built([&] { return hierarchy(device_->view, layout, options.quality); });
+        return built([&] { return hierarchy(*executor_, device_->view, layout, options.quality); });
       }
       if (options.kind == StructureKind::uniform)
         return built([&] {
@@ -131,18 +141,8 @@ private:
     uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
     merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {StructureKind::irregular});
     for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast})
-      hierarchy(uploaded.view, layout, quality);
+      hierarchy(*executor_, uploaded.view, layout, quality);
     check(cudaDeviceSynchronize());
-  }
-
-  ExecutorStructure<CudaExecutor> hierarchy(const SceneView<Stored>& scene, const GridLayout& layout,
-                                            HierarchyQuality quality) {
-    auto leaves = hierarchy_leaves(*executor_, scene, layout);
-    return collapsed_hierarchy(
-        *executor_, layout,
-        quality == HierarchyQuality::fast
-            ? top_down_hierarchy(*executor_, leaves, layout.space)
-            : spatial_split_hierarchy(*executor_, scene, layout.margin, std::move(leaves)));
   }
 
   template <class Build>
@@ -177,6 +177,22 @@ private:
 };
 
 } // namespace
+
+template <class Stored>
+BuiltHierarchy fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, cudaMemPool_t pool,
+                              int gpu, const ProgressMonitor* progress) {
+  check_hierarchy(scene.primitive_count(), layout.space);
+  return on_gpu(gpu, progress, [&] {
+    CudaExecutor executor(pool, progress);
+    ExecutorStructure<CudaExecutor> built = hierarchy(executor, scene, layout, HierarchyQuality::fast);
+    check(cudaStreamSynchronize(nullptr));
+    return BuiltHierarchy{std::move(built.nodes), std::move(built.references)};
+  });
+}
+template BuiltHierarchy fast_hierarchy(const SceneView<float>&, const GridLayout&, cudaMemPool_t, int,
+                                       const ProgressMonitor*);
+template BuiltHierarchy fast_hierarchy(const SceneView<double>&, const GridLayout&, cudaMemPool_t, int,
+                                       const ProgressMonitor*);
 
 template <class Stored, class Number>
 MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const StructureRecords& hierarchy,

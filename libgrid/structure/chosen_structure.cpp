@@ -283,24 +283,37 @@ StructureKind kind_of(StructureChoice structure, StructureKind merge, const Divi
   return merge;
 }
 
+StructureProvenance provenance_of(const SceneGeometry& geometry, std::uint64_t primitives,
+                                  const BuildOptions& options, const Structure& structure) {
+  return {geometry.hash,
+          primitives,
+          geometry.origin,
+          options.space,
+          options.overlap,
+          options.division.text,
+          merge_text(structure, options.structure),
+          options.structure.quality};
+}
+
 template <class Stored>
 DescribedStructure build_chosen(StructureBuilder<Stored>& builder, const SceneGeometry& geometry,
                                 const BuildOptions& options) {
   DescribedStructure result;
   result.grid = chosen(builder, geometry.bounds, options, result.considered);
-  result.provenance = {geometry.hash,
-                       builder.scene().primitive_count(),
-                       geometry.origin,
-                       options.space,
-                       options.overlap,
-                       options.division.text,
-                       merge_text(result.grid, options.structure),
-                       options.structure.quality};
+  result.provenance =
+      provenance_of(geometry, builder.scene().primitive_count(), options, result.grid);
   return result;
 }
 template DescribedStructure build_chosen(StructureBuilder<float>&, const SceneGeometry&, const BuildOptions&);
 template DescribedStructure build_chosen(StructureBuilder<double>&, const SceneGeometry&,
                                          const BuildOptions&);
+
+BuildOptions fast_hierarchy_options() {
+  BuildOptions options;
+  options.structure.kind = StructureKind::hierarchy;
+  options.structure.quality = HierarchyQuality::fast;
+  return options;
+}
 
 StructureFile built_in_memory(const SceneFile& scene, const BuildOptions& options,
                               const std::function<void(double)>& progress, std::optional<int> cuda_device) {

@@ -54,6 +54,12 @@ template <class Stored>
 DescribedStructure build_chosen(StructureBuilder<Stored>& builder, const SceneGeometry& geometry,
                                 const BuildOptions& options);
 
+// For the file of a structure that was built with these options of a scene of so many primitives.
+StructureProvenance provenance_of(const SceneGeometry& geometry, std::uint64_t primitives,
+                                  const BuildOptions& options, const Structure& structure);
+// What is built soonest.
+BuildOptions fast_hierarchy_options();
+
 // The same in memory, built on a CUDA device or, for none, on the CPU.
 StructureFile built_in_memory(const SceneFile& scene, const BuildOptions& options,
                               const std::function<void(double)>& progress = {},

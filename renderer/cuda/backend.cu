@@ -17,26 +17,30 @@ void set_up_cuda(int device) {
 
 namespace {
 
-// Checks the records that the host hasn't, and prepares what is made of them.
 template <class Stored>
-unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const StructureFile* structure,
-                       Transfer& upload) {
+void check_structure(const DeviceFilesOf<Stored>& files, const StructureFile& structure) {
+  if (structure.residence() != Residence::file) return;
+  const char* const fault = fault_of(DeviceChecker(files.memory), *files.structure.records);
+  if (fault != nullptr) throw_damaged(structure.path(), fault);
+}
+
+} // namespace
+
+template <class Stored>
+unsigned checked_kinds(const DeviceFilesOf<Stored>& files, const SceneFile& scene) {
   const DeviceChecker checker(files.memory);
   const SceneView<Stored>& view = files.scene.view;
-  const auto refuse = [](const std::string& path, const char* fault) {
-    if (fault != nullptr) throw_damaged(path, fault);
-  };
-  if (structure != nullptr && structure->residence() == Residence::file)
-    refuse(structure->path(), fault_of(checker, *files.structure.records));
-  if (files.is_hierarchy()) files.upload_leaves(scene, upload);
-  if (scene.residence() == Residence::file)
-    refuse(scene.path(), fault_of(checker, view, files.scene.lighting, scene.bounds(), scene.counts()));
+  if (scene.residence() == Residence::file) {
+    const char* const fault =
+        fault_of(checker, view, files.scene.lighting, scene.bounds(), scene.counts());
+    if (fault != nullptr) throw_damaged(scene.path(), fault);
+  }
   const bool has_tapers =
       !checker.all(view.cone_count, [=] __device__(std::uint64_t i) { return !tapers(view.cones[i]); });
   return kinds_in(view, has_tapers);
 }
-
-} // namespace
+template unsigned checked_kinds(const DeviceFilesOf<float>&, const SceneFile&);
+template unsigned checked_kinds(const DeviceFilesOf<double>&, const SceneFile&);
 
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* structure,
                                                      int device) {
@@ -47,7 +51,9 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, con
     Transfer upload(memory->pool);
     stored.emplace(scene, structure, memory->pool, upload);
     upload.run();
-    files->kinds = checked_kinds(*stored, scene, structure, upload);
+    if (structure != nullptr) check_structure(*stored, *structure);
+    if (stored->is_hierarchy()) stored->upload_leaves(scene, upload);
+    files->kinds = checked_kinds(*stored, scene);
   };
   scene.is_float64() ? upload_as(files->float64) : upload_as(files->float32);
   memory->pool.trim(); // of what checks and leaves took meanwhile

@@ -20,6 +20,12 @@ void set_up_cuda(int) {
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const StructureFile*, int) {
   refuse();
 }
+std::shared_ptr<const DeviceFiles> built_files_cuda(const SceneFile&, int, const ProgressMonitor*) {
+  refuse();
+}
+Structure built_hierarchy_cuda(const DeviceFiles&) {
+  refuse();
+}
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles&, const Vec3d&, const Vertices&) {
   refuse();
 }

@@ -125,4 +125,8 @@ struct DeviceFiles {
   }
 };
 
+// Checks what the host hasn't of a scene that is there (backend.cu); returns the kinds of its primitives.
+template <class Stored>
+unsigned checked_kinds(const DeviceFilesOf<Stored>& files, const SceneFile& scene);
+
 } // namespace masu

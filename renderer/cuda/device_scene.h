@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/file/structure_file.h"
-#include "libgrid/hierarchy/moved_hierarchy.h"
+#include "libgrid/hierarchy/device_hierarchy.h"
 #include "libgrid/trace/any_structure.h"
 #include "libscene/base/atomic.h"
 #include "libscene/cuda/device_records.h"
@@ -13,6 +13,7 @@
 #include "renderer/dispatch.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -33,7 +34,7 @@ struct DeviceScene {
   std::shared_ptr<const void> triangles;
   SharedArrays others;
 
-  // Triangles in leaf order come later (DeviceFilesOf::upload_leaves).
+  // Triangles in leaf order come later (DeviceFilesOf::make_leaves).
   DeviceScene(const SceneFile& file, bool in_leaf_order, Transfer& upload)
       : view(file.view<Stored>()), lighting(file.lighting<Stored>()) {
     using fb::SceneSection;
@@ -120,7 +121,7 @@ struct DeviceFilesOf {
   // In the structure's place, where meshes are placed; the scene is what stands beside them.
   std::shared_ptr<const PlacedOnDevice<Stored>> placements;
 
-  // For a hierarchy upload_leaves() is to follow.
+  // For a hierarchy make_leaves() is to follow.
   DeviceFilesOf(const SceneFile& host_scene, const StructureFile* host_structure, cudaMemPool_t pool,
                 Transfer& upload)
       : memory{nullptr, pool},
@@ -139,9 +140,36 @@ struct DeviceFilesOf {
 
   bool is_hierarchy() const { return structure.records && structure.records->is_hierarchy; }
 
+  // A copy of a hierarchy of the scene, whose triangles are there in their order.
+  void take(const BuiltHierarchy& built, const GridLayout& layout) {
+    const auto copied = [&]<class T>(const DeviceArray<T>& from) {
+      DeviceArray<T> to(from.size(), memory);
+      if (from.size() > 0)
+        check(cudaMemcpyAsync(to.data(), from.data(), from.size() * sizeof(T), cudaMemcpyDeviceToDevice,
+                              memory.stream));
+      return to;
+    };
+    auto nodes = copied(built.nodes);
+    auto references = copied(built.references);
+    StructureRecords records{};
+    records.nodes = nodes.data();
+    records.references = references.data();
+    records.node_count = built.nodes.size();
+    records.reference_count = built.references.size();
+    records.primitives = scene.view.primitive_count();
+    records.is_hierarchy = true;
+    records.layout = layout;
+    structure.records = records;
+    structure.nodes = shared(std::move(nodes));
+    structure.references = shared(std::move(references));
+  }
+
   // The scene's primitives into the leaves of the hierarchy, whose records are there and checked: triangles
   // are nowhere else on the device. What a leaf is of stands in it: the references are given up.
-  void upload_leaves(const SceneFile& file, Transfer& upload) {
+  // `place_triangles` has all of them placed by what it is given, a Transfer::Place, and waits for that;
+  // `point` is a place in the scene.
+  void make_leaves(const Vec3<Stored>& point,
+                   const std::function<void(const Transfer::Place&)>& place_triangles) {
     SceneView<Stored>& view = scene.view;
     const std::uint64_t count = structure.records->reference_count;
     const PrimitiveIndex* const references = structure.records->references;
@@ -152,7 +180,6 @@ struct DeviceFilesOf {
     Triangle<Stored>* const leaves = leaf_array.data();
     const auto none = static_cast<std::uint32_t>(count);
     const std::uint32_t triangle_count = view.triangle_count;
-    const Vec3<Stored> point = cast<Stored>(file.bounds().min);
     for_each_on_device(std::max(triangle_count, 1U), memory.stream, [=] __device__(std::uint64_t i) {
       if (i < triangle_count) places[i] = {none, no_primitive};
       if (i == 0) leaves[none] = {point, no_primitive, point, 0, point, no_normals};
@@ -160,18 +187,12 @@ struct DeviceFilesOf {
     for_each_on_device(count, memory.stream, [=] __device__(std::uint64_t i) {
       if (references[i] < triangle_count) lower(places[references[i]].leaf, static_cast<std::uint32_t>(i));
     });
-    const auto place = [=](const void* part, std::uint64_t offset, std::size_t bytes, cudaStream_t stream) {
+    place_triangles([=](const void* part, std::uint64_t offset, std::size_t bytes, cudaStream_t stream) {
       using Corner = typename CornerToLeaf<Stored>::Corner;
       const auto* const corners = static_cast<const Corner*>(part);
       for_each_on_device(bytes / sizeof(Corner), stream,
                          CornerToLeaf<Stored>{places, leaves, none, corners, offset / sizeof(Corner)});
-    };
-    const Triangle<Stored>* const in_host = file.view<Stored>().triangles;
-    if (in_host != nullptr)
-      upload.to_device(place, in_host, triangle_count * sizeof(Triangle<Stored>));
-    else if (triangle_count > 0)
-      upload.to_device(place, file.reader<Triangle<Stored>>(fb::SceneSection::triangles));
-    upload.run();
+    });
     view.places = places;
     view.triangles = leaves;
     const SceneView<Stored> placed = view;
@@ -184,6 +205,22 @@ struct DeviceFilesOf {
     scene.others.push_back(shared(std::move(place_array)));
     structure.references.reset();
     structure.records->references = nullptr;
+  }
+
+  // The same of triangles from the file, and of those that are there in their order.
+  void upload_leaves(const SceneFile& file, Transfer& upload) {
+    make_leaves(cast<Stored>(file.bounds().min), [&](const Transfer::Place& place) {
+      if (const Triangle<Stored>* const in_host = file.view<Stored>().triangles)
+        upload.to_device(place, in_host, scene.view.triangle_count * sizeof(Triangle<Stored>));
+      else if (scene.view.triangle_count > 0)
+        upload.to_device(place, file.reader<Triangle<Stored>>(fb::SceneSection::triangles));
+      upload.run();
+    });
+  }
+  void rearrange_leaves(const Vec3<Stored>& point) {
+    make_leaves(point, [&](const Transfer::Place& place) {
+      place(scene.view.triangles, 0, scene.view.triangle_count * sizeof(Triangle<Stored>), memory.stream);
+    });
   }
 
   // What a hierarchy refers to.

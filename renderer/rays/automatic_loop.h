@@ -26,7 +26,7 @@ RayLoop automatic_loop(const WarpCosts& costs, Query query);
 
 inline RayLoop automatic_loop(const ResidentTracer& tracer, const RayList& rays, Query query,
                               Precision precision) {
-  if (tracer.structure()->is_hierarchy()) return RayLoop::automatic;
+  if (tracer.is_hierarchy()) return RayLoop::automatic;
   return automatic_loop(warp_costs(tracer, rays, query, precision), query);
 }
 

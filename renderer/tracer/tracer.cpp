@@ -12,9 +12,16 @@
 #include <mutex>
 
 namespace masu {
+
 ResidentTracer::ResidentTracer(const SceneFile& scene, const StructureFile* structure, Device device,
                                std::vector<int> gpus)
-    : scene_(scene), structure_(structure), device_(device),
+    : ResidentTracer(scene, structure, device, std::move(gpus),
+                     [&](int gpu) { return upload_files_cuda(scene, structure, gpu); }) {}
+
+ResidentTracer::ResidentTracer(const SceneFile& scene, const StructureFile* structure, Device device,
+                               std::vector<int> gpus, const Upload& upload)
+    : scene_(scene), structure_(structure), is_hierarchy_(structure != nullptr && structure->is_hierarchy()),
+      device_(device),
       gpus_(device == Device::cuda ? std::move(gpus) : std::vector<int>()),
       turn_(std::make_shared<std::atomic<std::size_t>>(0)) {
   if (device == Device::cuda && gpus_.empty()) throw Error(ErrorCode::usage, "gpus", "none is named");
@@ -25,7 +32,7 @@ ResidentTracer::ResidentTracer(const SceneFile& scene, const StructureFile* stru
   on_threads(gpus_.size(), [&](std::size_t i) { set_up_cuda(gpus_[i]); });
   const Stopwatch watch;
   files_.resize(gpus_.size());
-  on_threads(gpus_.size(), [&](std::size_t i) { files_[i] = upload_files_cuda(scene, structure, gpus_[i]); });
+  on_threads(gpus_.size(), [&](std::size_t i) { files_[i] = upload(gpus_[i]); });
   upload_seconds_ = watch.seconds();
   kinds_ = device == Device::cuda ? kinds_on(*files_.front())
                                   : scene.with_view([](const auto& view) { return kinds_in(view); });
@@ -39,7 +46,7 @@ void ResidentTracer::check_unchanged() const {
 TracingRules ResidentTracer::resolved(TracingRules rules) const {
   rules.precision = masu::resolved(rules.precision, scene_);
   rules.kinds = kinds_;
-  if (rules.stop == StopRule::first_cell && structure_ != nullptr && structure_->is_hierarchy())
+  if (rules.stop == StopRule::first_cell && is_hierarchy_)
     throw Error(ErrorCode::usage, "first-cell-hit", "needs a grid of cells: a hierarchy has none");
   return rules;
 }

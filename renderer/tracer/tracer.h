@@ -9,6 +9,7 @@
 #include "renderer/rays/ray_list.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,13 +34,23 @@ public:
   ResidentTracer(const SceneFile& scene, const StructureFile* structure, Device device,
                  std::vector<int> gpus = {0});
 
+  // On GPUs, each of which builds a hierarchy of quality fast of the scene, for itself and at once: it lies there
+  // alone. Throws likewise, and as build_hierarchy() does (hierarchy_builder.h). What `progress` throws ends it.
+  static ResidentTracer by_fast_hierarchy(const SceneFile& scene, std::vector<int> gpus,
+                                          const std::function<void(double)>& progress);
+
   Device device() const { return device_; }
   // 1 on the CPU.
   std::size_t device_count() const { return device_ == Device::cuda ? gpus_.size() : 1; }
   // Empty on the CPU.
   const std::vector<int>& gpus() const { return gpus_; }
   const SceneFile& scene() const { return scene_; }
+  // Null for brute force, and what was built here.
   const StructureFile* structure() const { return structure_; }
+  bool is_hierarchy() const { return is_hierarchy_; }
+  bool is_built_here() const { return is_built_here_; }
+  // A copy of what was built here, for a tracer that wasn't moved.
+  StructureFile built_hierarchy() const;
   // Of putting the files on the device, and of checking them.
   double upload_seconds() const { return upload_seconds_; }
 
@@ -87,8 +98,13 @@ public:
   std::optional<ResidentTracer> moved(const Vertices& vertices) const;
 
 private:
+  using Upload = std::function<std::shared_ptr<const DeviceFiles>(int gpu)>;
+  ResidentTracer(const SceneFile& scene, const StructureFile* structure, Device device, std::vector<int> gpus,
+                 const Upload& upload);
+
   const SceneFile& scene_;
   const StructureFile* structure_;
+  bool is_hierarchy_, is_built_here_ = false;
   Device device_;
   std::vector<int> gpus_;
   std::vector<std::shared_ptr<const DeviceFiles>> files_; // of each GPU

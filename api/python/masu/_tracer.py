@@ -141,7 +141,6 @@ class Tracer(Resource):
     TypeError."""
 
     scene: Scene
-    grid: Optional[Grid]  # None for brute force
     number: int  # by which operators of PyTorch know it: drawn, so that it is nobody else's in another process
 
     def __init__(self, scene: Scene, grid: Optional[Grid] = None, device: Union[str, int, Any] = "cpu", *,
@@ -159,9 +158,10 @@ class Tracer(Resource):
         self._is_placed = scene._placements > 0
         self._own("tracer", library.masu_tracer_create, (scene, grid, byref(options)), library.masu_tracer_free, options,
                   progress)
-        if grid is None and not brute_force and not self._is_placed:
+        self._is_built = grid is None and not brute_force and not self._is_placed
+        if self._is_built and not self._gpus:
             grid = Grid._of(library.masu_tracer_grid, self)
-        self.scene, self.grid = scene, grid
+        self.scene, self._grid = scene, grid
         self._register()
 
     def _register(self) -> None:
@@ -186,6 +186,13 @@ class Tracer(Resource):
         if self._opened().held.is_moved:
             raise TypeError("a tracer that update() has moved isn't copied or pickled: make a masu.Scene of the vertices")
         return self.scene, self.grid
+
+    @property
+    def grid(self) -> Optional[Grid]:
+        """None for brute force and placed meshes. What was built on GPUs is copied from there when it is first asked for."""
+        if self._grid is None and self._is_built:
+            self._grid = Grid._of(library.masu_tracer_grid, self)
+        return self._grid
 
     @property
     def device(self) -> str:
