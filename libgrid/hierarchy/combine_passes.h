@@ -11,17 +11,14 @@
 namespace masu {
 
 // `levels`: of as many `ranges` as there are nodes of a depth; the children of the first of them are the
-// first two of the next level, and so on. They are given up, the lowest first. split_nodes() say of
-// node i whether it is_leaf(i), then its leaf(i), else its first_child(i) in the
-// next level, and its box(i, left child, right child).
+// first two of the next level, and so on. They are given up, the lowest first. split_nodes() say of node i
+// whether it is_made(i) with all that is below it, then its costs(i); or is_leaf(i), then its leaf(i); else
+// its first_child(i) in the next level, the number of its pair(i, of the next level's first node) of
+// children, and its box(i, left child, right child); and its number(i, of the level's first node). `numbers`:
+// how many there are, of the levels' nodes one after another if number() takes them so.
 template <class Executor, class Level>
-BinaryHierarchy<Executor> combined(Executor& executor, std::vector<Level> levels) {
-  // The root, one that isn't there, and the others in pairs, one level after another.
-  std::uint64_t end = 1;
-  for (const Level& level : levels)
-    end += level.ranges.size();
-  BinaryHierarchy<Executor> hierarchy{executor.template array<BinaryNode>(end),
-                                      executor.template array<CollapseChoice>(end)};
+void combine(Executor& executor, std::vector<Level> levels, BinaryHierarchy<Executor>& hierarchy) {
+  std::uint64_t end = hierarchy.nodes.size();
   BinaryNode* const nodes = hierarchy.nodes.data();
   CollapseChoice* const choices = hierarchy.choices.data();
   auto costs_below = executor.template array<CollapseCosts>(0);
@@ -32,22 +29,33 @@ BinaryHierarchy<Executor> combined(Executor& executor, std::vector<Level> levels
     CollapseCosts* const costs = level_costs.data();
     const CollapseCosts* const below = costs_below.data();
     executor.for_each(count, [=, own = levels.back().split_nodes()] MASU_PASS(std::uint64_t i) {
-      BinaryNode& node = nodes[end + i];
+      if (own.is_made(i)) {
+        costs[i] = own.costs(i);
+        return;
+      }
+      const std::uint64_t number = own.number(i, end);
+      BinaryNode& node = nodes[number];
       if (own.is_leaf(i)) {
         node = own.leaf(i);
         costs[i] = collapse_costs_of_leaf(node);
       } else {
-        const std::uint32_t child = own.first_child(i);
-        const BinaryNode &left = nodes[first_below + child], &right = nodes[first_below + child + 1];
+        const std::uint32_t child = own.first_child(i),
+                            pair = static_cast<std::uint32_t>(own.pair(i, first_below));
+        const BinaryNode &left = nodes[pair], &right = nodes[pair + 1];
         const Boxf box = own.box(i, left, right);
-        node = {box.min, static_cast<std::uint32_t>(first_below) + child, box.max, left.count + right.count};
+        node = {box.min, pair, box.max, left.count + right.count};
         costs[i] = collapse_costs(node, below[child], below[child + 1]);
       }
-      choices[end + i] = costs[i].choice;
+      choices[number] = costs[i].choice;
     });
     costs_below = std::move(level_costs);
   }
-  return hierarchy;
+}
+
+// Room for so many nodes.
+template <class Executor>
+BinaryHierarchy<Executor> room_for_nodes(const Executor& executor, std::uint64_t count) {
+  return {executor.template array<BinaryNode>(count), executor.template array<CollapseChoice>(count)};
 }
 
 } // namespace masu

@@ -39,15 +39,19 @@ struct RangeSums {
   }
 };
 
-// A level's nodes as combined() asks for them (combine_passes.h).
+// A level's nodes as combine() asks for them (combine_passes.h).
 struct DividedNodes {
   const FragmentRange* ranges;
   const BinaryNode* nodes;
   const RangeSums* before;
 
+  MASU_HD static bool is_made(std::uint64_t) { return false; }
+  MASU_HD static CollapseCosts costs(std::uint64_t) { return {}; }
+  MASU_HD static std::uint64_t number(std::uint64_t i, std::uint64_t first) { return first + i; }
   MASU_HD bool is_leaf(std::uint64_t i) const { return ranges[i].count == 1; }
   MASU_HD const BinaryNode& leaf(std::uint64_t i) const { return nodes[i]; }
   MASU_HD std::uint32_t first_child(std::uint64_t i) const { return before[i].children; }
+  MASU_HD std::uint64_t pair(std::uint64_t i, std::uint64_t first) const { return first + first_child(i); }
   // Around fragments before they were divided.
   MASU_HD Boxf box(std::uint64_t i, const BinaryNode&, const BinaryNode&) const { return nodes[i].box(); }
 };

@@ -46,7 +46,7 @@ struct AxisSplit {
 
 // A range of more leaves at this depth is halved, lest the hierarchy become too deep: what is split off may
 // leave one leaf fewer, which must still fit below when halved again and again.
-inline std::uint32_t most_leaves_split(std::size_t depth) {
+MASU_HD inline std::uint32_t most_leaves_split(std::size_t depth) {
   return 1U << std::clamp(max_hierarchy_depth - 2 - static_cast<int>(depth), 0, 31);
 }
 

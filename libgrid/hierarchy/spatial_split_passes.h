@@ -188,7 +188,13 @@ BinaryHierarchy<Executor> spatial_split_hierarchy(Executor& executor, const Scen
     }
     next = next_level(executor, splits, level, all.children, order, all);
   }
-  return combined(executor, std::move(levels));
+  // The root, one that isn't there, and the others in pairs, one level after another.
+  std::uint64_t numbers = 1;
+  for (const FragmentLevel<Executor>& level : levels)
+    numbers += level.ranges.size();
+  BinaryHierarchy<Executor> hierarchy = room_for_nodes(executor, numbers);
+  combine(executor, std::move(levels), hierarchy);
+  return hierarchy;
 }
 
 } // namespace masu

@@ -5,6 +5,7 @@
 #include "libscene/base/progress_monitor.h"
 #include "libscene/cuda/device_memory.h"
 #include "libscene/passes/executor.h"
+#include "libscene/passes/thread_group.h"
 
 #include <cub/block/block_radix_sort.cuh>
 #include <cub/device/device_radix_sort.cuh>
@@ -102,6 +103,9 @@ struct ThreadBlock : SharedByThreads {
   __device__ std::uint32_t thread_rank() const { return threadIdx.x; }
   __device__ std::uint32_t size() const { return blockDim.x; }
   __device__ void sync() const { __syncthreads(); }
+  __device__ WarpTile<threads_per_tile> tile() const { return {}; }
+  __device__ std::uint32_t tile_rank() const { return threadIdx.x / threads_per_tile; }
+  __device__ std::uint32_t tile_count() const { return blockDim.x / threads_per_tile; }
   __device__ std::uint64_t sum(std::uint64_t value) const {
     __shared__ unsigned long long total;
     __syncthreads(); // the last call's has been read by all
@@ -214,6 +218,13 @@ __global__ void __launch_bounds__(tiles<Work>* tile_width<Work>())
   work(WarpTile<width>{}, scratch[own], i);
 }
 
+// Of what a block shares each.
+template <class Work>
+__global__ void __launch_bounds__(Work::threads) one_by_block(const __grid_constant__ Work work) {
+  __shared__ typename Work::Scratch scratch;
+  work(ThreadBlock{}, scratch, blockIdx.x);
+}
+
 inline constexpr unsigned blocks_for_large = 1024;
 template <class Work>
 __global__ void __launch_bounds__(threads)
@@ -296,15 +307,19 @@ public:
     if (count == 0) return;
     check_progress(progress_);
     using namespace kernels;
-    DeviceArray<std::uint32_t> large;
-    if constexpr (has_size<Work>) {
-      large = array<std::uint32_t>(count + 1);
-      check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
+    if constexpr (tile_width<Work>() > 32) {
+      launch(one_by_block<Work>, static_cast<unsigned>(count), tile_width<Work>(), nullptr, work);
+    } else {
+      DeviceArray<std::uint32_t> large;
+      if constexpr (has_size<Work>) {
+        large = array<std::uint32_t>(count + 1);
+        check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
+      }
+      launch(each_by_tile<Work>, blocks_of(tiles<Work>, count), tiles<Work> * tile_width<Work>(), nullptr,
+             count, work, large.data());
+      if constexpr (has_size<Work>)
+        launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
     }
-    launch(each_by_tile<Work>, blocks_of(tiles<Work>, count), tiles<Work> * tile_width<Work>(), nullptr,
-           count, work, large.data());
-    if constexpr (has_size<Work>)
-      launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
   }
   template <class Part, class Act>
   Array<Part> joined(std::uint64_t count, const Act& act) const {

@@ -11,7 +11,8 @@
 //                                 the loads of all together
 //   for_each_by_group(count, work)  work(group, scratch, i): a group of threads (thread_group.h) to each i, a
 //                                 larger one where work.size(i) is large; they share a Work::Scratch. Work
-//                                 without size() is never large; Work::threads says how many share it (8)
+//                                 without size() is never large; Work::threads says how many share it: 8,
+//                                 more of a warp, or a block
 //   joined<Part>(count, act)      join() of act(0) … act(count - 1), in any order: one, in its Memory
 //   scan(values)                  values[i] becomes the sum of all before it
 //   value(values, i)              one value, for the host
