@@ -31,7 +31,8 @@ struct SmallRange {
 };
 
 struct SplitSmallRanges {
-  static constexpr unsigned threads = 256; // a block's
+  static constexpr unsigned threads = 128;                              // a block's,
+  static constexpr unsigned threads_for_many = 16, threads_for_few = 4; // and those for a node
   static constexpr std::uint32_t most_nodes = 2 * most_in_small - 1;
 
   // A node of the range's: of `count` leaves from `first` on; its left child, which the right one follows.
@@ -40,9 +41,10 @@ struct SplitSmallRanges {
   };
   struct Scratch {
     union { // first the ones, then the others
-      SplitScratch splits[threads / threads_per_tile];
+      SplitScratch splits[threads / threads_for_many];
       CollapseCosts costs[most_nodes]; // of the nodes
     };
+    BinaryNode leaves[most_in_small];
     Node nodes[most_nodes]; // level by level
     std::uint16_t order[most_in_small], right[most_in_small];
     std::uint32_t node_count;
@@ -59,8 +61,10 @@ struct SplitSmallRanges {
   template <class ThreadGroup>
   MASU_HD void operator()(const ThreadGroup& group, Scratch& scratch, std::uint64_t i) const {
     const SmallRange range = ranges[i];
-    for (std::uint32_t k = group.thread_rank(); k < range.count; k += group.size())
+    for (std::uint32_t k = group.thread_rank(); k < range.count; k += group.size()) {
+      scratch.leaves[k] = leaves[order[range.first + k]];
       scratch.order[k] = static_cast<std::uint16_t>(k);
+    }
     if (group.thread_rank() == 0) {
       scratch.nodes[0] = {0, static_cast<std::uint16_t>(range.count), 0};
       scratch.node_count = 1;
@@ -69,7 +73,9 @@ struct SplitSmallRanges {
     for (; begin < end; ++level) {
       if (group.thread_rank() == 0) scratch.level_begin[level] = static_cast<std::uint16_t>(begin);
       group.sync();
-      split_level(group, scratch, range, begin, end, most_leaves_split(range.depth + level));
+      const std::uint32_t most = most_leaves_split(range.depth + level);
+      split_nodes<threads_for_many>(group, scratch, begin, end, most);
+      split_nodes<threads_for_few>(group, scratch, begin, end, most);
       group.sync();
       begin = end;
       end = scratch.node_count;
@@ -85,26 +91,30 @@ struct SplitSmallRanges {
   }
 
 private:
-  MASU_HD const BinaryNode& leaf(const Scratch& scratch, const SmallRange& range, std::uint32_t i) const {
-    return leaves[order[range.first + scratch.order[i]]];
+  MASU_HD static const BinaryNode& leaf(const Scratch& scratch, std::uint32_t i) {
+    return scratch.leaves[scratch.order[i]];
   }
 
-  template <class ThreadGroup>
-  MASU_HD void split_level(const ThreadGroup& group, Scratch& scratch, const SmallRange& range,
-                           std::uint32_t begin, std::uint32_t end, std::uint32_t most) const {
-    const auto tile = group.tile();
-    SplitScratch& split_scratch = scratch.splits[group.tile_rank()];
-    for (std::uint32_t own = begin + group.tile_rank(); own < end; own += group.tile_count()) {
+  // A level's nodes of many leaves, or of few.
+  template <unsigned width, class ThreadGroup>
+  MASU_HD static void split_nodes(const ThreadGroup& group, Scratch& scratch, std::uint32_t begin,
+                                  std::uint32_t end, std::uint32_t most) {
+    constexpr bool are_few = width == threads_for_few;
+    const auto tile = group.template tile<width>();
+    const std::uint32_t rank = group.template tile_rank<width>(), tiles = group.template tile_count<width>();
+    for (std::uint32_t own = begin + rank; own < end; own += tiles) {
       Node& node = scratch.nodes[own];
       const std::uint32_t first = node.first, count = node.count;
-      if (count == 1) continue;
-      const auto leaf_of = [&](std::uint32_t i) -> const BinaryNode& {
-        return leaf(scratch, range, first + i);
-      };
+      if (count == 1 || (count <= few_leaves) != are_few) continue;
+      const auto leaf_of = [&](std::uint32_t i) -> const BinaryNode& { return leaf(scratch, first + i); };
       LeafSplit split;
-      if (count > 2 && count <= most) // all are looked at, wherever they may be
-        split = SplitOfRange{tile, split_scratch, count, leaf_of}.cheapest({});
-      std::uint32_t left = partition(tile, scratch, range, first, count, split);
+      if (count > 2 && count <= most) {
+        if constexpr (are_few)
+          split = cheapest_split_of_few(tile, count, leaf_of);
+        else // of all, wherever they may be
+          split = cheapest_split(tile, scratch.splits[rank], count, {}, leaf_of);
+      }
+      std::uint32_t left = partition(tile, scratch, first, count, split);
       if (left == 0 || left == count) left = count / 2;
       if (tile.thread_rank() == 0) {
         const std::uint32_t child = added(scratch.node_count, 2);
@@ -118,13 +128,13 @@ private:
 
   // Sorts a node's leaves: those on the left first, both in their order. Returns how many they are.
   template <class Tile>
-  MASU_HD std::uint32_t partition(const Tile& tile, Scratch& scratch, const SmallRange& range,
-                                  std::uint32_t first, std::uint32_t count, const LeafSplit& split) const {
+  MASU_HD static std::uint32_t partition(const Tile& tile, Scratch& scratch, std::uint32_t first,
+                                         std::uint32_t count, const LeafSplit& split) {
     if (split.axis < 0) return 0;
     std::uint32_t left = 0;
     for (std::uint32_t chunk = 0; chunk < count; chunk += tile.size()) {
       const std::uint32_t i = chunk + tile.thread_rank();
-      const bool is_one = i < count, is_left = is_one && split.is_left(leaf(scratch, range, first + i));
+      const bool is_one = i < count, is_left = is_one && split.is_left(leaf(scratch, first + i));
       const std::uint16_t own = is_one ? scratch.order[first + i] : std::uint16_t{0};
       const std::uint32_t lefts = tile.all_bits(is_left ? 1U << tile.thread_rank() : 0U),
                           left_before = left + count_bits(lefts & ((1U << tile.thread_rank()) - 1));
@@ -145,7 +155,7 @@ private:
     const LeafRange whole{range.first + first, count, own == 0 ? range.is_right : 1 - own % 2, 0};
     BinaryNode node;
     if (count == 1) {
-      node = leaf(scratch, range, first);
+      node = leaf(scratch, first);
       scratch.costs[own] = collapse_costs_of_leaf(node);
     } else {
       const std::uint32_t pair = 2 * (whole.first + scratch.nodes[child].count);

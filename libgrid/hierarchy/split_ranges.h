@@ -16,121 +16,111 @@ struct SplitScratch {
   } bins[3][max_bins];
 };
 
-// Of `count` leaves, leaf(i) in their order. `space`: twice where they may be. The split is the first
-// thread's, a tile's is all its threads'.
+MASU_HD inline float cost_of(const Boxf& left, std::uint32_t left_count, const Boxf& right,
+                             std::uint32_t right_count) {
+  return split_cost(half_area(left), static_cast<float>(left_count), half_area(right),
+                    static_cast<float>(right_count));
+}
+
+// Of any of `count` leaves, leaf(i) in their order, as the last one on the left, sorted along each axis. The
+// split is the first thread's, a tile's is all its threads'.
 template <class ThreadGroup, class Leaf>
-struct SplitOfRange {
-  const ThreadGroup& group;
-  SplitScratch& scratch;
-  std::uint32_t count;
-  const Leaf& leaf;
-
-  MASU_HD LeafSplit cheapest(const Boxf& space) const {
-    return count <= few_leaves ? cheapest_of_few() : cheapest_of_many(space);
-  }
-
-private:
-  MASU_HD static float cost_of(const Boxf& left, std::uint32_t left_count, const Boxf& right,
-                               std::uint32_t right_count) {
-    return split_cost(half_area(left), static_cast<float>(left_count), half_area(right),
-                      static_cast<float>(right_count));
-  }
-
-  // Of any of the leaves as the last one on the left, sorted along each axis.
-  MASU_HD LeafSplit cheapest_of_few() const {
-    LeafSplit best;
-    for (auto axis = static_cast<int>(group.thread_rank()); axis < 3;
-         axis += static_cast<int>(group.size())) {
-      float centres[few_leaves];
-      Boxf boxes[few_leaves], right[few_leaves];
-      for (std::uint32_t i = 0; i < count; ++i) {
-        const BinaryNode& own = leaf(i);
-        const float centre = twice_the_centre(own, axis);
-        std::uint32_t to = i;
-        for (; to > 0 && centre < centres[to - 1]; --to) {
-          centres[to] = centres[to - 1];
-          boxes[to] = boxes[to - 1];
-        }
-        centres[to] = centre;
-        boxes[to] = own.box();
+MASU_HD LeafSplit cheapest_split_of_few(const ThreadGroup& group, std::uint32_t count, const Leaf& leaf) {
+  LeafSplit best;
+  for (auto axis = static_cast<int>(group.thread_rank()); axis < 3; axis += static_cast<int>(group.size())) {
+    float centres[few_leaves];
+    Boxf boxes[few_leaves], right[few_leaves];
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const BinaryNode& own = leaf(i);
+      const float centre = twice_the_centre(own, axis);
+      std::uint32_t to = i;
+      for (; to > 0 && centre < centres[to - 1]; --to) {
+        centres[to] = centres[to - 1];
+        boxes[to] = boxes[to - 1];
       }
-      right[count - 1] = boxes[count - 1];
-      for (std::uint32_t i = count - 1; i-- > 1;)
-        right[i] = join(boxes[i], right[i + 1]);
-      LeafSplit split;
-      split.axis = axis;
-      Boxf left = empty_box<float>();
-      for (std::uint32_t i = 0; i + 1 < count; ++i) {
-        left = join(left, boxes[i]);
-        if (centres[i] == centres[i + 1]) continue;
-        split.cost = cost_of(left, i + 1, right[i + 1], count - i - 1);
-        split.place = centres[i];
-        if (comes_before(split, best)) best = split;
-      }
+      centres[to] = centre;
+      boxes[to] = own.box();
     }
-    return group.first_of_all(best);
-  }
-
-  MASU_HD LeafSplit cheapest_of_many(const Boxf& space) const {
-    const LeafSample sample(count);
-    const auto for_each_leaf = [&](const auto& act) {
-      sample.for_each(group.thread_rank(), group.size(),
-                      [&](std::uint32_t i, std::uint32_t stands_for) { act(leaf(i), stands_for); });
-    };
-    if (group.thread_rank() == 0) scratch.centres = empty_box<float>();
-    const std::int32_t bins = bin_count(count);
-    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bins;
-         i += static_cast<std::int32_t>(group.size())) {
-      auto& bin = scratch.bins[i / bins][i % bins];
-      bin.box = empty_box<float>();
-      bin.count = 0;
-    }
-    group.sync();
-    Boxf own = empty_box<float>();
-    for_each_leaf([&](const BinaryNode& one, std::uint32_t) { own = join(own, one.min + one.max); });
-    group.join(scratch.centres, own);
-    group.sync();
-    const LeafBins along[] = {{sample, scratch.centres, space, 0},
-                              {sample, scratch.centres, space, 1},
-                              {sample, scratch.centres, space, 2}};
-    for_each_leaf([&](const BinaryNode& one, std::uint32_t stands_for) {
-      for (int axis = 0; axis < 3; ++axis) {
-        auto& bin = scratch.bins[axis][along[axis](twice_the_centre(one, axis))];
-        group.join(bin.box, one.box());
-        group.count(bin.count, stands_for);
-      }
-    });
-    group.sync();
-    LeafSplit best;
-    for (auto axis = static_cast<int>(group.thread_rank()); axis < 3;
-         axis += static_cast<int>(group.size())) {
-      const LeafSplit split = cheapest_along(axis, along[axis]);
-      if (comes_before(split, best)) best = split;
-    }
-    return group.first_of_all(best);
-  }
-
-  MASU_HD LeafSplit cheapest_along(int axis, const LeafBins& along) const {
-    const auto& bins = scratch.bins[axis];
-    Boxf right[max_bins + 1]; // of all from a bin on
-    right[along.count] = empty_box<float>();
-    for (int bin = along.count; --bin > 0;)
-      right[bin] = join(right[bin + 1], bins[bin].box);
-    LeafSplit best, split;
+    right[count - 1] = boxes[count - 1];
+    for (std::uint32_t i = count - 1; i-- > 1;)
+      right[i] = join(boxes[i], right[i + 1]);
+    LeafSplit split;
     split.axis = axis;
     Boxf left = empty_box<float>();
-    std::uint32_t left_count = 0;
-    for (int bin = 0; bin + 1 < along.count; ++bin) {
-      left = join(left, bins[bin].box);
-      left_count += bins[bin].count;
-      if (left_count == 0) continue;
-      if (left_count == count) break;
-      split.cost = cost_of(left, left_count, right[bin + 1], count - left_count);
-      split.place = along.end(bin);
+    for (std::uint32_t i = 0; i + 1 < count; ++i) {
+      left = join(left, boxes[i]);
+      if (centres[i] == centres[i + 1]) continue;
+      split.cost = cost_of(left, i + 1, right[i + 1], count - i - 1);
+      split.place = centres[i];
       if (comes_before(split, best)) best = split;
     }
-    return best;
   }
-};
+  return group.first_of_all(best);
+}
+
+// Between bins along an axis.
+MASU_HD inline LeafSplit cheapest_along(int axis, const LeafBins& along, const SplitScratch& scratch,
+                                        std::uint32_t count) {
+  const auto& bins = scratch.bins[axis];
+  Boxf right[max_bins + 1]; // of all from a bin on
+  right[along.count] = empty_box<float>();
+  for (int bin = along.count; --bin > 0;)
+    right[bin] = join(right[bin + 1], bins[bin].box);
+  LeafSplit best, split;
+  split.axis = axis;
+  Boxf left = empty_box<float>();
+  std::uint32_t left_count = 0;
+  for (int bin = 0; bin + 1 < along.count; ++bin) {
+    left = join(left, bins[bin].box);
+    left_count += bins[bin].count;
+    if (left_count == 0) continue;
+    if (left_count == count) break;
+    split.cost = cost_of(left, left_count, right[bin + 1], count - left_count);
+    split.place = along.end(bin);
+    if (comes_before(split, best)) best = split;
+  }
+  return best;
+}
+
+// The same of more leaves. `space`: twice where they may be.
+template <class ThreadGroup, class Leaf>
+MASU_HD LeafSplit cheapest_split(const ThreadGroup& group, SplitScratch& scratch, std::uint32_t count,
+                                 const Boxf& space, const Leaf& leaf) {
+  const LeafSample sample(count);
+  const auto for_each_leaf = [&](const auto& act) {
+    sample.for_each(group.thread_rank(), group.size(),
+                    [&](std::uint32_t i, std::uint32_t stands_for) { act(leaf(i), stands_for); });
+  };
+  if (group.thread_rank() == 0) scratch.centres = empty_box<float>();
+  const std::int32_t bins = bin_count(count);
+  for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bins;
+       i += static_cast<std::int32_t>(group.size())) {
+    auto& bin = scratch.bins[i / bins][i % bins];
+    bin.box = empty_box<float>();
+    bin.count = 0;
+  }
+  group.sync();
+  Boxf centres = empty_box<float>();
+  for_each_leaf([&](const BinaryNode& own, std::uint32_t) { centres = join(centres, own.min + own.max); });
+  group.join(scratch.centres, centres);
+  group.sync();
+  const LeafBins along[] = {{sample, scratch.centres, space, 0},
+                            {sample, scratch.centres, space, 1},
+                            {sample, scratch.centres, space, 2}};
+  for_each_leaf([&](const BinaryNode& own, std::uint32_t stands_for) {
+    for (int axis = 0; axis < 3; ++axis) {
+      auto& bin = scratch.bins[axis][along[axis](twice_the_centre(own, axis))];
+      group.join(bin.box, own.box());
+      group.count(bin.count, stands_for);
+    }
+  });
+  group.sync();
+  LeafSplit best;
+  for (auto axis = static_cast<int>(group.thread_rank()); axis < 3; axis += static_cast<int>(group.size())) {
+    const LeafSplit split = cheapest_along(axis, along[axis], scratch, count);
+    if (comes_before(split, best)) best = split;
+  }
+  return group.first_of_all(best);
+}
 
 } // namespace masu

@@ -37,7 +37,7 @@ struct SplitRanges {
     if (range.is_small()) return;
     const auto leaf = [&](std::uint32_t k) -> const BinaryNode& { return leaves[order[range.first + k]]; };
     LeafSplit best;
-    if (range.count <= most) best = SplitOfRange{group, scratch, range.count, leaf}.cheapest(spaces[i]);
+    if (range.count <= most) best = cheapest_split(group, scratch, range.count, spaces[i], leaf);
     if (group.thread_rank() == 0) splits[i] = best;
   }
 };

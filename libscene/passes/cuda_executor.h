@@ -5,7 +5,6 @@
 #include "libscene/base/progress_monitor.h"
 #include "libscene/cuda/device_memory.h"
 #include "libscene/passes/executor.h"
-#include "libscene/passes/thread_group.h"
 
 #include <cub/block/block_radix_sort.cuh>
 #include <cub/device/device_radix_sort.cuh>
@@ -103,9 +102,18 @@ struct ThreadBlock : SharedByThreads {
   __device__ std::uint32_t thread_rank() const { return threadIdx.x; }
   __device__ std::uint32_t size() const { return blockDim.x; }
   __device__ void sync() const { __syncthreads(); }
-  __device__ WarpTile<threads_per_tile> tile() const { return {}; }
-  __device__ std::uint32_t tile_rank() const { return threadIdx.x / threads_per_tile; }
-  __device__ std::uint32_t tile_count() const { return blockDim.x / threads_per_tile; }
+  template <unsigned width>
+  __device__ WarpTile<width> tile() const {
+    return {};
+  }
+  template <unsigned width>
+  __device__ std::uint32_t tile_rank() const {
+    return threadIdx.x / width;
+  }
+  template <unsigned width>
+  __device__ std::uint32_t tile_count() const {
+    return blockDim.x / width;
+  }
   __device__ std::uint64_t sum(std::uint64_t value) const {
     __shared__ unsigned long long total;
     __syncthreads(); // the last call's has been read by all

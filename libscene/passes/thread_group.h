@@ -8,19 +8,26 @@
 
 namespace masu {
 
-// Threads of a large group's tiles.
-inline constexpr unsigned threads_per_tile = 16;
-
 // A thread takes thread_rank(), thread_rank() + size(), … of a list.
 struct SingleThread {
   MASU_HD std::uint32_t thread_rank() const { return 0; }
   MASU_HD std::uint32_t size() const { return 1; }
   // A barrier; what was written before it is visible after it.
   MASU_HD void sync() const {}
-  // Parts of a large group that go each its own way: this thread's, and which it is of how many.
-  MASU_HD SingleThread tile() const { return {}; }
-  MASU_HD std::uint32_t tile_rank() const { return 0; }
-  MASU_HD std::uint32_t tile_count() const { return 1; }
+  // Parts of a large group, of `width` threads, that go each its own way: this thread's, and which it is of how
+  // many.
+  template <unsigned width>
+  MASU_HD SingleThread tile() const {
+    return {};
+  }
+  template <unsigned width>
+  MASU_HD std::uint32_t tile_rank() const {
+    return 0;
+  }
+  template <unsigned width>
+  MASU_HD std::uint32_t tile_count() const {
+    return 1;
+  }
   // Adds to a counter that all threads share.
   MASU_HD void count(std::uint32_t& counter, std::uint32_t by = 1) const { counter += by; }
   // Makes a box that all threads share hold another.
