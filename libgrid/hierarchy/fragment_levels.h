@@ -92,6 +92,7 @@ MASU_HD inline std::uint64_t owner_of_chunk(const RangeSums* before, std::uint64
 //   Sum: put(group, to), join(group, of chunks, how many)
 template <class Work>
 struct SumRanges {
+  static constexpr unsigned threads = Work::threads;
   using Scratch = typename Work::Sum;
   Work work;
   const FragmentRange* ranges;

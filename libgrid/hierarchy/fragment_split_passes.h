@@ -12,6 +12,7 @@ namespace masu {
 
 // Writes a node's box, and that of twice the centres.
 struct FindExtents {
+  static constexpr unsigned threads = 8; // of a tile
   struct Sum {
     Boxf box, centres;
 
@@ -143,6 +144,7 @@ struct BinSums {
 
 // By centres.
 struct SplitObjects {
+  static constexpr unsigned threads = 16; // of a tile
   using Sum = BinSums<most_bins>;
   const BinaryNode* fragments;
   const FragmentRange* ranges;
@@ -227,6 +229,7 @@ private:
 // By planes at which fragments are divided, where that costs less.
 template <class Stored>
 struct SplitSpace {
+  static constexpr unsigned threads = 32; // of a tile
   using Sum = BinSums<bins_in_space>;
   SceneView<Stored> scene;
   double margin;

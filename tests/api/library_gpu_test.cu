@@ -121,6 +121,12 @@ protected:
   std::optional<masu::Tracer> cpu_, gpu_;
 };
 
+masu::Bytes bytes_of(const masu::Grid& grid) {
+  const masu::TemporaryFolder folder;
+  grid.write(folder.file("grid"));
+  return masu::read_bytes(folder.file("grid"));
+}
+
 // With excluded primitives, in host memory and in the GPU's.
 TEST_F(LibraryOnGpu, ListsTheCpusHits) {
   const std::size_t n = 300'000;
@@ -390,6 +396,9 @@ TEST_F(LibraryOnGpu, WithoutAGridBuildsOneForTheDevice) {
   const Found expected = found_by(*cpu_, list);
   for (const masu::Tracer* const tracer : {&cpu, &gpu, &brute_force})
     expect_same(expected, found_by(*tracer, list));
+  const std::vector<int> twice{last, last};
+  expect_same(expected, found_by(masu::Tracer(*scene_, nullptr, twice), list));
+  EXPECT_EQ(bytes_of(gpu.grid()), bytes_of(cpu.grid()));
 }
 
 TEST_F(LibraryOnGpu, AnswersThreadsTracersAndStreamsAtTheSameTime) {
@@ -525,7 +534,9 @@ TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
     options.structure = MASU_STRUCTURE_BVH;
     options.quality = engine_() % 2 == 0 ? MASU_QUALITY_FAST : MASU_QUALITY_HIGH;
     const masu::Grid grid(scene, options);
-    masu::Tracer cpu(scene, grid), gpu(scene, grid, 0);
+    const bool is_built = engine_() % 2 == 0; // by the tracer, on the GPU
+    masu::Tracer cpu(scene, grid), gpu = is_built ? masu::Tracer(scene, 0) : masu::Tracer(scene, grid, 0);
+    const masu::Bytes before = is_built ? bytes_of(masu::Tracer(scene).grid()) : bytes_of(grid);
     const std::vector<masu_ray> list = rays(100'000);
     const Device<masu_ray> device(list);
     cudaStream_t stream = nullptr;
@@ -546,6 +557,7 @@ TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
         moved.stream = stream;
         gpu.update(moved);
       }
+      if (round == 0) EXPECT_EQ(bytes_of(gpu.grid()), before);
       const Found expected = found_by(cpu, list);
       expect_same(expected, found_by(gpu, list));
       expect_same(expected, on_device(gpu, device.data(), list.size()));

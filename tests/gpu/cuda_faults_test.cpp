@@ -197,14 +197,9 @@ masu_build_options options_of(masu_structure structure, masu_merge merge) {
   return options;
 }
 
+// Through given structures, and through what the tracer builds on the GPU.
 TEST_F(CudaFaultsOfLibrary, Queries) {
-  for (const auto& [structure, merge] : {std::pair{MASU_STRUCTURE_GRID, MASU_MERGE_NONE},
-                                         {MASU_STRUCTURE_GRID, MASU_MERGE_IRREGULAR},
-                                         {MASU_STRUCTURE_BVH, MASU_MERGE_AUTO}}) {
-    SCOPED_TRACE("merge " + std::to_string(merge));
-    const masu_build_options options = options_of(structure, merge);
-    masu_grid* grid = nullptr;
-    ASSERT_EQ(masu_grid_build(made_, &options, &grid), MASU_OK) << masu_error();
+  const auto expect_survived = [&](const masu_grid* grid) {
     const auto [good, right] = traced(grid);
     ASSERT_EQ(good, MASU_OK) << masu_error();
     with_each_failing([&, &right = right](std::uint64_t failing) {
@@ -214,8 +209,18 @@ TEST_F(CudaFaultsOfLibrary, Queries) {
       if (failing == 0) FAIL() << masu_error();
       expect_a_line(status);
     });
+  };
+  for (const auto& [structure, merge] : {std::pair{MASU_STRUCTURE_GRID, MASU_MERGE_NONE},
+                                         {MASU_STRUCTURE_GRID, MASU_MERGE_IRREGULAR},
+                                         {MASU_STRUCTURE_BVH, MASU_MERGE_AUTO}}) {
+    SCOPED_TRACE("merge " + std::to_string(merge));
+    const masu_build_options options = options_of(structure, merge);
+    masu_grid* grid = nullptr;
+    ASSERT_EQ(masu_grid_build(made_, &options, &grid), MASU_OK) << masu_error();
+    expect_survived(grid);
     masu_grid_free(grid);
   }
+  expect_survived(nullptr);
 }
 
 TEST_F(CudaFaultsOfLibrary, Builds) {
