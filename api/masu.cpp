@@ -195,9 +195,8 @@ std::shared_ptr<const T> kept(const State& tracer, std::shared_ptr<const T>& kep
 // What it traces through; null for brute force and placed meshes.
 std::shared_ptr<const StructureFile> grid_of(const State& state) {
   if (state.grid || state.placed() != nullptr || !state.resident().is_built_here()) return state.grid;
-  return kept(state, state.built_grid, [&] {
-    return std::make_shared<const StructureFile>(state.resident().built_hierarchy());
-  });
+  return kept(state, state.built_grid,
+              [&] { return std::make_shared<const StructureFile>(state.resident().built_hierarchy()); });
 }
 
 std::shared_ptr<const State> with_fast_hierarchy(const std::shared_ptr<const SceneFile>& scene,
@@ -205,7 +204,8 @@ std::shared_ptr<const State> with_fast_hierarchy(const std::shared_ptr<const Sce
                                                  const std::function<void(double)>& progress) {
   if (!gpus.empty())
     return std::make_shared<const State>(scene, ResidentTracer::by_fast_hierarchy(*scene, gpus, progress));
-  auto hierarchy = std::make_shared<const StructureFile>(built_in_memory(*scene, fast_hierarchy_options(), progress));
+  auto hierarchy =
+      std::make_shared<const StructureFile>(built_in_memory(*scene, fast_hierarchy_options(), progress));
   return std::make_shared<const State>(scene, std::move(hierarchy), gpus);
 }
 
@@ -325,8 +325,8 @@ PlacementMoves moves_of(const masu_transforms& given) {
           given.count, ready(given.indices, given.stream, "transforms"), given.square != 0};
 }
 
-// Refitted where the tracer traces; where that can't be, built anew in host memory. The hierarchy of before is
-// kept there, for who asks for it.
+// Refitted where the tracer traces; where that can't be, built anew in host memory. The hierarchy of before
+// is kept there, for who asks for it.
 std::shared_ptr<const State> moved(const State& before, const Vertices& vertices) {
   const std::shared_ptr<const StructureFile> hierarchy = grid_of(before);
   require_hierarchy(hierarchy.get());

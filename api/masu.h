@@ -369,8 +369,8 @@ typedef struct masu_transforms {
  * too far. */
 MASU_API masu_status masu_tracer_place(masu_tracer* tracer, const masu_transforms* transforms);
 
-/* What a tracer traces through, given or built; of what GPUs have built, a copy. An error for brute force; of a
- * tracer that was moved on a GPU, what it was before. */
+/* What a tracer traces through, given or built; of what GPUs have built, a copy. An error for brute force; of
+ * a tracer that was moved on a GPU, what it was before. */
 MASU_API masu_status masu_tracer_grid(const masu_tracer* tracer, masu_grid** grid);
 
 /* Waits for what runs, and gives memory back. NULL is allowed. */

@@ -10,12 +10,13 @@
 
 namespace masu {
 
-// `levels`: of as many `ranges` as there are nodes of a depth; the children of the first of them are the
-// first two of the next level, and so on. They are given up, the lowest first. split_nodes() say of node i
-// whether it is_made(i) with all that is below it, then its costs(i); or is_leaf(i), then its leaf(i); else
-// its first_child(i) in the next level, the number of its pair(i, of the next level's first node) of
-// children, and its box(i, left child, right child); and its number(i, of the level's first node). `numbers`:
-// how many there are, of the levels' nodes one after another if number() takes them so.
+// Nodes and choices of `hierarchy`, which has room for them. `levels`: of as many `ranges` as there are nodes
+// of a depth; the children of the first of them that has some are the first two of the next level, and so on.
+// They are given up, the lowest first. split_nodes() say of node i whether it is_made(i), with all that is
+// below it, then its costs(i); or is_leaf(i), then its leaf(i); else its first_child(i) in the next level,
+// and its box(i, left child, right child). number(i, first) and pair(i, first) are its own number in the
+// hierarchy and that of its left child, which the right one's follows, where levels follow each other there
+// and this or the next one begins with `first`.
 template <class Executor, class Level>
 void combine(Executor& executor, std::vector<Level> levels, BinaryHierarchy<Executor>& hierarchy) {
   std::uint64_t end = hierarchy.nodes.size();

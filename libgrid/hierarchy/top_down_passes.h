@@ -89,7 +89,7 @@ struct SmallRanges {
   ArrayOf<Executor, SmallRange> ranges;
   ArrayOf<Executor, std::uint32_t> count;
 
-  // Each is half of what wasn't small, of which a level has no more than fit into all leaves.
+  // Each is a part of a range that isn't small, of which no level has more than fit into all leaves.
   SmallRanges(const Executor& executor, std::uint64_t leaves)
       : ranges(executor.template array<SmallRange>(2 * (max_hierarchy_depth * leaves / most_in_small + 1))),
         count(executor.template zeros<std::uint32_t>(1)) {}

@@ -55,10 +55,11 @@ template <class Stored>
 ExecutorStructure<CudaExecutor> hierarchy(CudaExecutor& executor, const SceneView<Stored>& scene,
                                           const GridLayout& layout, HierarchyQuality quality) {
   auto leaves = hierarchy_leaves(executor, scene, layout);
-  return collapsed_hierarchy(executor, layout,
-                             quality == HierarchyQuality::fast
-                                 ? top_down_hierarchy(executor, leaves, layout.space)
-                                 : spatial_split_hierarchy(executor, scene, layout.margin, std::move(leaves)));
+  return collapsed_hierarchy(
+      executor, layout,
+      quality == HierarchyQuality::fast
+          ? top_down_hierarchy(executor, leaves, layout.space)
+          : spatial_split_hierarchy(executor, scene, layout.margin, std::move(leaves)));
 }
 
 template <class Stored>

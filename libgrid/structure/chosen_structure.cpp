@@ -300,8 +300,7 @@ DescribedStructure build_chosen(StructureBuilder<Stored>& builder, const SceneGe
                                 const BuildOptions& options) {
   DescribedStructure result;
   result.grid = chosen(builder, geometry.bounds, options, result.considered);
-  result.provenance =
-      provenance_of(geometry, builder.scene().primitive_count(), options, result.grid);
+  result.provenance = provenance_of(geometry, builder.scene().primitive_count(), options, result.grid);
   return result;
 }
 template DescribedStructure build_chosen(StructureBuilder<float>&, const SceneGeometry&, const BuildOptions&);

@@ -14,8 +14,8 @@ struct SingleThread {
   MASU_HD std::uint32_t size() const { return 1; }
   // A barrier; what was written before it is visible after it.
   MASU_HD void sync() const {}
-  // Parts of a large group, of `width` threads, that go each its own way: this thread's, and which it is of how
-  // many.
+  // Parts of a large group, of `width` threads, that go each its own way: this thread's, and which it is of
+  // how many.
   template <unsigned width>
   MASU_HD SingleThread tile() const {
     return {};

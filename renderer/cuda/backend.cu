@@ -31,8 +31,7 @@ unsigned checked_kinds(const DeviceFilesOf<Stored>& files, const SceneFile& scen
   const DeviceChecker checker(files.memory);
   const SceneView<Stored>& view = files.scene.view;
   if (scene.residence() == Residence::file) {
-    const char* const fault =
-        fault_of(checker, view, files.scene.lighting, scene.bounds(), scene.counts());
+    const char* const fault = fault_of(checker, view, files.scene.lighting, scene.bounds(), scene.counts());
     if (fault != nullptr) throw_damaged(scene.path(), fault);
   }
   const bool has_tapers =

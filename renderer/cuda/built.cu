@@ -17,7 +17,7 @@ std::shared_ptr<const DeviceFiles> built_files_cuda(const SceneFile& scene, int 
     const auto layout = layout_in<Stored>(scene.bounds(), {1, 1, 1}, SpaceRule::tight);
     const MemoryPool temporary; // what is kept would lie scattered among what building took
     stored->take(fast_hierarchy(stored->scene.view, layout, temporary, device, progress), layout);
-    stored->rearrange_leaves(cast<Stored>(scene.bounds().min));
+    stored->rearrange_leaves(scene);
   };
   scene.is_float64() ? build_as(files->float64) : build_as(files->float32);
   memory->pool.trim(); // of what building took meanwhile

@@ -166,9 +166,8 @@ struct DeviceFilesOf {
 
   // The scene's primitives into the leaves of the hierarchy, whose records are there and checked: triangles
   // are nowhere else on the device. What a leaf is of stands in it: the references are given up.
-  // `place_triangles` has all of them placed by what it is given, a Transfer::Place, and waits for that;
-  // `point` is a place in the scene.
-  void make_leaves(const Vec3<Stored>& point,
+  // `place_triangles` has all triangles placed by what it is given, and waits for what isn't on this stream.
+  void make_leaves(const SceneFile& file,
                    const std::function<void(const Transfer::Place&)>& place_triangles) {
     SceneView<Stored>& view = scene.view;
     const std::uint64_t count = structure.records->reference_count;
@@ -180,6 +179,7 @@ struct DeviceFilesOf {
     Triangle<Stored>* const leaves = leaf_array.data();
     const auto none = static_cast<std::uint32_t>(count);
     const std::uint32_t triangle_count = view.triangle_count;
+    const Vec3<Stored> point = cast<Stored>(file.bounds().min);
     for_each_on_device(std::max(triangle_count, 1U), memory.stream, [=] __device__(std::uint64_t i) {
       if (i < triangle_count) places[i] = {none, no_primitive};
       if (i == 0) leaves[none] = {point, no_primitive, point, 0, point, no_normals};
@@ -209,7 +209,7 @@ struct DeviceFilesOf {
 
   // The same of triangles from the file, and of those that are there in their order.
   void upload_leaves(const SceneFile& file, Transfer& upload) {
-    make_leaves(cast<Stored>(file.bounds().min), [&](const Transfer::Place& place) {
+    make_leaves(file, [&](const Transfer::Place& place) {
       if (const Triangle<Stored>* const in_host = file.view<Stored>().triangles)
         upload.to_device(place, in_host, scene.view.triangle_count * sizeof(Triangle<Stored>));
       else if (scene.view.triangle_count > 0)
@@ -217,8 +217,8 @@ struct DeviceFilesOf {
       upload.run();
     });
   }
-  void rearrange_leaves(const Vec3<Stored>& point) {
-    make_leaves(point, [&](const Transfer::Place& place) {
+  void rearrange_leaves(const SceneFile& file) {
+    make_leaves(file, [&](const Transfer::Place& place) {
       place(scene.view.triangles, 0, scene.view.triangle_count * sizeof(Triangle<Stored>), memory.stream);
     });
   }

@@ -19,10 +19,10 @@ ResidentTracer::ResidentTracer(const SceneFile& scene, const StructureFile* stru
                      [&](int gpu) { return upload_files_cuda(scene, structure, gpu); }) {}
 
 ResidentTracer::ResidentTracer(const SceneFile& scene, const StructureFile* structure, Device device,
-                               std::vector<int> gpus, const Upload& upload)
+                               std::vector<int> gpus, const Upload& upload,
+                               const std::function<void()>& meanwhile)
     : scene_(scene), structure_(structure), is_hierarchy_(structure != nullptr && structure->is_hierarchy()),
-      device_(device),
-      gpus_(device == Device::cuda ? std::move(gpus) : std::vector<int>()),
+      device_(device), gpus_(device == Device::cuda ? std::move(gpus) : std::vector<int>()),
       turn_(std::make_shared<std::atomic<std::size_t>>(0)) {
   if (device == Device::cuda && gpus_.empty()) throw Error(ErrorCode::usage, "gpus", "none is named");
   const auto stays_in_file = [](const auto& file) { return file.residence() == Residence::file; };
@@ -32,7 +32,8 @@ ResidentTracer::ResidentTracer(const SceneFile& scene, const StructureFile* stru
   on_threads(gpus_.size(), [&](std::size_t i) { set_up_cuda(gpus_[i]); });
   const Stopwatch watch;
   files_.resize(gpus_.size());
-  on_threads(gpus_.size(), [&](std::size_t i) { files_[i] = upload(gpus_[i]); });
+  on_threads(
+      gpus_.size(), [&](std::size_t i) { files_[i] = upload(gpus_[i]); }, meanwhile);
   upload_seconds_ = watch.seconds();
   kinds_ = device == Device::cuda ? kinds_on(*files_.front())
                                   : scene.with_view([](const auto& view) { return kinds_in(view); });

@@ -34,8 +34,9 @@ public:
   ResidentTracer(const SceneFile& scene, const StructureFile* structure, Device device,
                  std::vector<int> gpus = {0});
 
-  // On GPUs, each of which builds a hierarchy of quality fast of the scene, for itself and at once: it lies there
-  // alone. Throws likewise, and as build_hierarchy() does (hierarchy_builder.h). What `progress` throws ends it.
+  // On GPUs, each of which builds a hierarchy of quality fast of the scene, for itself and at once: it lies
+  // there alone. Throws likewise, and as build_hierarchy() does (hierarchy_builder.h). What `progress` throws
+  // ends it.
   static ResidentTracer by_fast_hierarchy(const SceneFile& scene, std::vector<int> gpus,
                                           const std::function<void(double)>& progress);
 
@@ -100,7 +101,7 @@ public:
 private:
   using Upload = std::function<std::shared_ptr<const DeviceFiles>(int gpu)>;
   ResidentTracer(const SceneFile& scene, const StructureFile* structure, Device device, std::vector<int> gpus,
-                 const Upload& upload);
+                 const Upload& upload, const std::function<void()>& meanwhile = {});
 
   const SceneFile& scene_;
   const StructureFile* structure_;

@@ -1,5 +1,5 @@
-// Tracers whose hierarchy GPUs have built, or fitted to a scene that has moved: apart, for who does neither does
-// without the code.
+// Tracers whose hierarchy GPUs have built, or fitted to a scene that has moved: apart, for who does neither
+// does without the code.
 #include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/on_threads.h"
 #include "renderer/backend.h"
@@ -12,8 +12,12 @@ namespace masu {
 ResidentTracer ResidentTracer::by_fast_hierarchy(const SceneFile& scene, std::vector<int> gpus,
                                                  const std::function<void(double)>& progress) {
   ProgressMonitor monitor(progress);
-  ResidentTracer tracer(scene, nullptr, Device::cuda, std::move(gpus),
-                        [&](int gpu) { return built_files_cuda(scene, gpu, &monitor); });
+  std::function<void()> meanwhile;
+  if (gpus.size() > 1)
+    meanwhile = [&] { monitor.check(); }; // by the caller's thread, which else does it itself
+  ResidentTracer tracer(
+      scene, nullptr, Device::cuda, std::move(gpus),
+      [&](int gpu) { return built_files_cuda(scene, gpu, &monitor); }, meanwhile);
   tracer.is_built_here_ = tracer.is_hierarchy_ = true;
   return tracer;
 }
