@@ -2,6 +2,8 @@
 
 #include "libgrid/hierarchy/binned_fragments.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
+#include "libgrid/hierarchy/node_numbers.h"
+#include "libgrid/hierarchy/parallel_partition.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -23,8 +25,8 @@ public:
                 ProgressMonitor* progress)
       : scene_(scene), margin_(margin), progress_(progress),
         count_(static_cast<std::uint32_t>(leaves.size())), fragments_(std::move(leaves)),
-        nodes_(2 * static_cast<std::size_t>((1 + spare_fragments) * static_cast<double>(count_))),
-        choices_(nodes_.size()) {
+        room_(static_cast<std::uint32_t>(spare_fragments * static_cast<double>(count_))),
+        numbers_(2 * (std::size_t{count_} + room_)), nodes_(numbers_.end()), choices_(nodes_.size()) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count_, 4096), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         BinaryNode& fragment = fragments_[i];
@@ -38,13 +40,12 @@ public:
 
   BinaryHierarchy<TbbExecutor> build() {
     if (count_ == 0) return {};
-    const FragmentRange all{fragments_.data(), count_, 0,
-                            static_cast<std::uint32_t>(nodes_.size() / 2) - count_};
+    const FragmentRange all{fragments_.data(), count_, 0, room_};
     const LaneBox root = extent_of(all).box;
     root_area_ = root.area();
     const Lanes4 reach = larger(-root.low, root.high);
     slack_ = static_cast<float>(4 * margin_) + 0x1p-20F * std::max({reach[0], reach[1], reach[2]});
-    split(0, all, 0);
+    split(0, all, 0, numbers_.of_thread());
     return {std::move(nodes_), std::move(choices_)};
   }
 
@@ -258,45 +259,63 @@ private:
             {right + places, range.count - left_count, range.places - places, range.room - room}};
   }
 
+  // A fragment that a split divides.
+  struct Divided {
+    std::uint32_t fragment;
+    Sides parts;
+  };
+
+  // In their order.
+  std::vector<Divided> divided_by(const RangeSplit& split, const FragmentRange& range) const {
+    std::vector<std::vector<Divided>> lists(chunks_of(range.count));
+    for_each_chunk(range.count, progress_, [&](std::uint32_t chunk, std::uint32_t begin, std::uint32_t end) {
+      Divided divided{};
+      for (divided.fragment = begin; divided.fragment != end; ++divided.fragment)
+        if (split.divides(scene_, margin_, range.first[divided.fragment], divided.parts))
+          lists[chunk].push_back(divided);
+    });
+    return joined(std::move(lists));
+  }
+
   // Divides what crosses the plane, as long as there is room. `moved`: memory for a range that has no more
   // places.
   void divide(FragmentRange& range, const RangeSplit& split, HostArray<BinaryNode>& moved) {
-    const std::uint32_t count = range.count;
-    for (std::uint32_t i = 0; i != count && range.room > 0; ++i) {
-      if (i % fragments_per_check == fragments_per_check - 1) check_progress(progress_);
-      Sides parts{};
-      if (!split.divides(scene_, margin_, range.first[i], parts)) continue;
-      if (range.places == 0) {
-        HostArray<BinaryNode> more(places_for(range.count + 16));
-        std::copy(range.begin(), range.end(), more.begin());
-        moved.swap(more);
-        range.first = moved.data();
-        range.places = static_cast<std::uint32_t>(moved.size()) - range.count;
-      }
-      BinaryNode& below = range.first[i];
+    const std::vector<Divided> divided = divided_by(split, range);
+    const auto added = static_cast<std::uint32_t>(std::min<std::size_t>(divided.size(), range.room));
+    if (added > range.places) {
+      moved.resize(places_for(range.count + std::max(added, 16U)));
+      std::copy(range.begin(), range.end(), moved.begin());
+      range.first = moved.data();
+      range.places = static_cast<std::uint32_t>(moved.size()) - range.count;
+    }
+    for (std::uint32_t i = 0; i != added; ++i) {
+      const auto& [fragment, parts] = divided[i];
+      BinaryNode& below = range.first[fragment];
       range.first[range.count++] = {parts.above.min, below.index, parts.above.max, 0};
       below = {parts.below.min, below.index, parts.below.max, 0};
-      --range.places;
-      --range.room;
     }
+    range.places -= added;
+    range.room -= added;
   }
 
   // In the order that Partition (spatial_split_passes.h) has, too.
   Halves halves_of(FragmentRange range, const RangeSplit& split, HostArray<BinaryNode>& moved) {
-    if (split.kind == SplitKind::by_space) divide(range, split, moved);
+    if (split.kind == SplitKind::by_space && range.room > 0) divide(range, split, moved);
     std::uint32_t left = 0;
     with_axis(split.at.axis, [&](auto axis) {
       const auto is_left = [&](const BinaryNode& fragment) { return split.is_left(fragment, axis); };
       left =
-          range.count <= 64
-              ? partitioned(range.first, range.count, is_left)
-              : static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), is_left) - range.first);
+          range.count <= 64 ? partitioned(range.first, range.count, is_left)
+          : range.count <= fragments_per_task
+              ? static_cast<std::uint32_t>(std::partition(range.begin(), range.end(), is_left) - range.first)
+              : partitioned_by_all_cores(range.first, range.count, is_left, progress_);
     });
     // Parts within the margin of an older plane may all come to lie on one side.
     return with_room(range, left == 0 || left == range.count ? range.count / 2 : left);
   }
 
-  CollapseCosts split(std::uint32_t number, const FragmentRange& range, int depth) {
+  CollapseCosts split(std::uint32_t number, const FragmentRange& range, int depth,
+                      NodeNumbers::OfThread& own) {
     BinaryNode& node = nodes_[number];
     if (range.count == 1) {
       node = *range.first;
@@ -307,15 +326,20 @@ private:
     const Boxf box = boxf(extent.box);
     HostArray<BinaryNode> moved;
     const Halves halves = halves_of(range, split_of(range, extent, depth), moved);
-    const std::uint32_t left = used_.fetch_add(2);
+    const std::uint32_t left = numbers_.pair(own);
     CollapseCosts left_costs{}, right_costs{};
-    const auto split_left = [&] { left_costs = split(left, halves.left, depth + 1); };
-    const auto split_right = [&] { right_costs = split(left + 1, halves.right, depth + 1); };
+    const auto split_left = [&](NodeNumbers::OfThread& of_thread) {
+      left_costs = split(left, halves.left, depth + 1, of_thread);
+    };
+    const auto split_right = [&](NodeNumbers::OfThread& of_thread) {
+      right_costs = split(left + 1, halves.right, depth + 1, of_thread);
+    };
     if (range.count > 1024) {
-      tbb::parallel_invoke(split_left, split_right);
+      tbb::parallel_invoke([&] { split_left(numbers_.of_thread()); },
+                           [&] { split_right(numbers_.of_thread()); });
     } else {
-      split_left();
-      split_right();
+      split_left(own);
+      split_right(own);
       if (range.count > 512 && progress_ != nullptr)
         (*progress_)(
             std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
@@ -335,12 +359,13 @@ private:
   ProgressMonitor* progress_;
   std::uint32_t count_; // of leaves
   HostArray<BinaryNode> fragments_;
+  std::uint32_t room_;
+  NodeNumbers numbers_;
   HostArray<BinaryNode> nodes_;
   HostArray<CollapseChoice> choices_;
   float root_area_ = 0;
   // More than what a triangle's box is larger than the triangle, and rounded by.
   float slack_ = 0;
-  std::atomic<std::uint32_t> used_ = 1;
   std::atomic<std::uint64_t> done_ = 0;
 };
 

@@ -138,6 +138,7 @@ private:
       const std::uint16_t own = is_one ? scratch.order[first + i] : std::uint16_t{0};
       const std::uint32_t lefts = tile.all_bits(is_left ? 1U << tile.thread_rank() : 0U),
                           left_before = left + count_bits(lefts & ((1U << tile.thread_rank()) - 1));
+      tile.sync(); // all have read what is written over
       if (is_one)
         (is_left ? scratch.order[first + left_before] : scratch.right[first + i - left_before]) = own;
       left += count_bits(lefts);
