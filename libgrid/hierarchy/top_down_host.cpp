@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t leaves_per_task = 4096, leaves_of_all_cores = 1 << 15,
+  static constexpr std::uint32_t leaves_per_task = 1024, leaves_of_all_cores = 1 << 15,
                                  leaves_per_chunk = 1 << 13;
 
   CollapseCosts build(PlacedLeaves range, const Boxf& space, std::size_t depth, std::uint32_t number) {

@@ -1,6 +1,5 @@
 #include "libscene/cuda/transfer.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -11,8 +10,7 @@
 namespace masu {
 namespace {
 
-// Of a staging buffer, or copied by a thread: to lock a megabyte of pages takes half a millisecond, and
-// smaller parts take longer to queue than to copy.
+// Of a staging buffer, or copied by a thread: smaller parts take longer to queue than to copy.
 constexpr std::size_t part_bytes = std::size_t{1} << 18;
 constexpr int copy_threads = 4; // about enough to saturate the bus
 constexpr std::size_t min_pinned_bytes = std::size_t{8}
@@ -46,32 +44,35 @@ private:
   DeviceArray<std::uint8_t> room_;
 };
 
-// The staging buffers of one thread. Uploads alternate: one buffer is transferred while the other is filled.
+// The staging buffers of one thread, parts of page-locked memory. Uploads alternate: one buffer is
+// transferred while the other is filled.
 class StagingBuffers {
 public:
-  explicit StagingBuffers(cudaMemPool_t pool) : pool_(pool) {}
+  static constexpr std::size_t of_thread = 2 * part_bytes; // bytes
+  StagingBuffers(std::span<std::uint8_t> memory, cudaMemPool_t pool) : pool_(pool) {
+    stagings_[0].buffer = memory.first(part_bytes);
+    stagings_[1].buffer = memory.last(part_bytes);
+  }
 
   void upload(const Upload& part, const Fill& fill) {
     Staging& staging = stagings_[next_];
     next_ = 1 - next_;
     check(cudaStreamSynchronize(staging.stream));
-    fill(staging.buffer.bytes().first(part.bytes));
+    fill(staging.buffer.first(part.bytes));
     staging.placed.upload(part, {staging.stream, pool_}, [&](void* to) {
-      check(cudaMemcpyAsync(to, staging.buffer.bytes().data(), part.bytes, cudaMemcpyHostToDevice,
-                            staging.stream));
+      check(cudaMemcpyAsync(to, staging.buffer.data(), part.bytes, cudaMemcpyHostToDevice, staging.stream));
     });
   }
   void download(void* host, const void* device, std::size_t bytes) {
     Staging& staging = stagings_[0];
-    check(cudaMemcpyAsync(staging.buffer.bytes().data(), device, bytes, cudaMemcpyDeviceToHost,
-                          staging.stream));
+    check(cudaMemcpyAsync(staging.buffer.data(), device, bytes, cudaMemcpyDeviceToHost, staging.stream));
     check(cudaStreamSynchronize(staging.stream));
-    std::memcpy(host, staging.buffer.bytes().data(), bytes);
+    std::memcpy(host, staging.buffer.data(), bytes);
   }
 
 private:
   struct Staging {
-    PinnedBuffer buffer{part_bytes};
+    std::span<std::uint8_t> buffer;
     Stream stream;
     PlacedPart placed;
     // After an error the arrays are given back next: nothing may still be copied to them.
@@ -82,10 +83,16 @@ private:
   int next_ = 0;
 };
 
+// All at once: to lock few pages takes as long as many.
 struct StagingOfThreads {
-  tbb::enumerable_thread_specific<StagingBuffers> of_threads;
+  PinnedBuffer memory{copy_threads * StagingBuffers::of_thread};
+  std::vector<std::unique_ptr<StagingBuffers>> of_threads; // by their places in an arena
 
-  explicit StagingOfThreads(cudaMemPool_t pool) : of_threads([pool] { return StagingBuffers(pool); }) {}
+  explicit StagingOfThreads(cudaMemPool_t pool) {
+    for (std::size_t i = 0; i < copy_threads; ++i)
+      of_threads.push_back(std::make_unique<StagingBuffers>(
+          memory.bytes().subspan(i * StagingBuffers::of_thread, StagingBuffers::of_thread), pool));
+  }
 };
 
 namespace {
@@ -167,7 +174,8 @@ void Transfer::run() {
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         const DeviceScope of_thread(device_);
-        make(pieces[i], staging_->of_threads.local());
+        make(pieces[i],
+             *staging_->of_threads[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())]);
       });
     });
   }

@@ -128,7 +128,8 @@ public:
     };
     auto first_keys = array<std::uint64_t>(count);
     auto first_values = array<Value>(count);
-    constexpr std::uint64_t items_per_chunk = 4096, all_rows = ~std::uint64_t{0};
+    constexpr std::uint64_t all_rows = ~std::uint64_t{0};
+    const std::uint64_t items_per_chunk = count < (1 << 17) ? 1024 : 4096; // of few, still some for each core
     const int bucket_bits = std::clamp(bits - 10, 12, 32);
     const std::uint64_t buckets = std::uint64_t{1} << std::max(bits - bucket_bits, 0);
     std::vector<Chunk> chunks((count + items_per_chunk - 1) / items_per_chunk);

@@ -11,7 +11,8 @@ namespace masu {
 namespace {
 
 // So few rays are read, and their results written, where they lie in page-locked memory: their few bytes take
-// less time over the bus than copies take to be begun.
+// less time over the bus than copies take to be begun. But to lock memory takes as long as dozens of such
+// queries: the first one is of copies from and to the caller's memory.
 constexpr std::size_t rays_in_place = 4096;
 
 bool is_page_locked(const void* host) {
@@ -88,6 +89,7 @@ struct HostList {
     if (counts.size() + object_masks.size() > 0) check(cudaStreamSynchronize(nullptr));
   }
 
+  bool is_short() const { return rays.count <= std::min(rays_in_place, rays_per_piece(request)); }
   const std::uint8_t* rays_of(const Piece& piece) const {
     return static_cast<const std::uint8_t*>(rays.rays) + piece.first * ray_bytes;
   }
@@ -138,21 +140,22 @@ void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport
   const RayList& rays = list.rays;
   const MemoryPool& pool = list.files.memory->pool;
   const std::size_t piece_rays = rays_per_piece(list.request);
-  const bool rays_page_locked = is_page_locked(rays.rays);
-  std::array<bool, std::tuple_size_v<ResultArrays>> page_locked{};
-  for (std::size_t k = 0; k < page_locked.size(); ++k)
-    page_locked[k] = is_page_locked(list.arrays[k].host);
+  // What is copied from where it lies, and to where it belongs.
+  const auto is_direct = [&](const void* host) { return list.is_short() || is_page_locked(host); };
+  const bool rays_direct = is_direct(rays.rays);
+  std::array<bool, std::tuple_size_v<ResultArrays>> direct{};
+  for (std::size_t k = 0; k < direct.size(); ++k)
+    direct[k] = is_direct(list.arrays[k].host);
   Piece pieces[pieces_in_flight];
 
   const auto copy_in = [&](HostRayBuffers::Piece& buffers, const Piece& piece) {
     const std::size_t bytes = piece.count * list.ray_bytes;
-    if (!rays_page_locked && bytes > 0) copy_in_parallel(buffers.rays.of(bytes), list.rays_of(piece), bytes);
+    if (!rays_direct && bytes > 0) copy_in_parallel(buffers.rays.of(bytes), list.rays_of(piece), bytes);
   };
   const auto begin = [&](HostRayBuffers::Piece& buffers, const Piece& piece) {
     const cudaStream_t stream = buffers.stream;
     const std::size_t bytes = piece.count * list.ray_bytes, result_bytes = list.bytes_of_results(piece);
-    const void* const from = rays_page_locked ? list.rays_of(piece) : buffers.rays.of(bytes);
-    std::uint8_t* const staging = buffers.results.of(result_bytes);
+    const void* const from = rays_direct ? list.rays_of(piece) : buffers.rays.of(bytes);
     const DeviceArray<std::uint8_t> device_rays(bytes, {stream, pool}), found(result_bytes, {stream, pool});
     check(cudaEventRecord(buffers.begun, stream));
     check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
@@ -160,7 +163,7 @@ void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport
     report.kernel = list.launch(piece, device_rays.data(), found.data(), stream);
     check(cudaEventRecord(buffers.traced, stream));
     for_each_array(list.arrays, piece.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
-      void* const to = page_locked[k] ? list.result_of(piece, k) : staging + offset;
+      void* const to = direct[k] ? list.result_of(piece, k) : buffers.results.of(result_bytes) + offset;
       check(cudaMemcpyAsync(to, found.data() + offset, array_bytes, cudaMemcpyDeviceToHost, stream));
     });
     check(cudaEventRecord(buffers.downloaded, stream));
@@ -174,8 +177,7 @@ void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport
   };
   const auto copy_out = [&](HostRayBuffers::Piece& buffers, const Piece& piece) {
     for_each_array(list.arrays, piece.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
-      if (!page_locked[k])
-        copy_in_parallel(list.result_of(piece, k), buffers.results.of(0) + offset, array_bytes);
+      if (!direct[k]) copy_in_parallel(list.result_of(piece, k), buffers.results.of(0) + offset, array_bytes);
     });
   };
 
@@ -207,12 +209,13 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
     HostRayBuffers& buffers;
     ~Drain() { buffers.drain(); }
   } const drain{*borrowed};
-  if (rays.count <= std::min(rays_in_place, rays_per_piece(request))) {
+  if (list.is_short() && borrowed->is_used) {
     if (request.progress) request.progress(0);
     trace_in_place(list, borrowed->piece(0), report);
   } else {
     trace_in_pieces(list, *borrowed, report, next_piece);
   }
+  borrowed->is_used = true;
   list.counts.download(&report.counts);
   return report;
 }

@@ -53,6 +53,7 @@ public:
     if (own == nullptr) own = std::make_unique<Piece>();
     return *own;
   }
+  bool is_used = false; // by a query before
   void drain() const {
     for (const auto& own : pieces_)
       if (own != nullptr) static_cast<void>(cudaStreamSynchronize(own->stream));
