@@ -169,18 +169,23 @@ class Masu:
 
 
 def bytes_taken(vertices, faces):
-    """Of a GPU's memory by a tracer through a hierarchy, per triangle: while it is made at most, and then."""
+    """Of a GPU's memory by a tracer through a hierarchy, per triangle: then, while it is made at most, and likewise where it
+    builds the hierarchy."""
     import torch
     scene = masu.Scene(vertices, faces)
-    grid = scene.build(structure="bvh", quality="fast", device="cuda")
     free = lambda: torch.cuda.mem_get_info()[0]
-    before, seen, done = free(), [], threading.Event()
-    watch = threading.Thread(target=lambda: [seen.append(free()) for _ in iter(lambda: done.wait(2e-4), True)])
-    watch.start()
-    tracer = masu.Tracer(scene, grid, "cuda")
-    done.set()
-    watch.join()
-    return {"most": (before - min(seen + [free()])) / len(faces), "held": (before - free()) / len(faces)}
+
+    def taken(make):
+        before, seen, done = free(), [], threading.Event()
+        watch = threading.Thread(target=lambda: [seen.append(free()) for _ in iter(lambda: done.wait(2e-4), True)])
+        watch.start()
+        tracer = make()
+        done.set()
+        watch.join()
+        return (before - free()) / len(faces), (before - min(seen + [free()])) / len(faces)
+    grid = scene.build(structure="bvh", quality="fast", device="cuda")
+    held, most = taken(lambda: masu.Tracer(scene, grid, "cuda"))
+    return {"held": held, "most": most, "most_of_building": taken(lambda: masu.Tracer(scene, device="cuda"))[1]}
 
 
 def answer(triangles, device):

@@ -272,9 +272,9 @@ def tables(results):
             rows.append([f"{found['triangles']:,}, " + (machine["device"] if device == "cuda" else f"{machine['cores']} cores"),
                          *(cells.get(name, "-") for name in ("Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median",
                                                            "cuBQL, SAH")),
-                         f"{taken['held']:.0f}, {taken['most']:.0f}" if taken else "-"])
+                         ", ".join(f"{of:.0f}" for of in taken.values()) if taken else "-"])
         return table(["triangles, on", "Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median", "cuBQL, SAH",
-                      "bytes a triangle: held, at most"], rows)
+                      "bytes a triangle: held, at most; if it builds"], rows)
 
     def scale():
         tools = {"nff2bin": "nff2bin, from a pipe", "irregular": "gridbuild --merge irregular",
