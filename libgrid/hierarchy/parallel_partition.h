@@ -1,4 +1,4 @@
-// Many fragments partitioned in place by all cores.
+// Many leaves gone through, or partitioned in place, by all cores.
 #pragma once
 
 #include "libgrid/hierarchy/collapse_passes.h"
@@ -13,16 +13,16 @@
 namespace masu {
 
 // Calls act(chunk, begin, end) for chunks of 0 … count - 1, in parallel; so many are they.
-inline constexpr std::uint32_t fragments_per_chunk = 1 << 13;
+inline constexpr std::uint32_t leaves_per_chunk = 1 << 13;
 inline std::uint32_t chunks_of(std::uint32_t count) {
-  return (count + fragments_per_chunk - 1) / fragments_per_chunk;
+  return (count + leaves_per_chunk - 1) / leaves_per_chunk;
 }
 template <class Act>
 void for_each_chunk(std::uint32_t count, const ProgressMonitor* progress, const Act& act) {
-  if (count <= fragments_per_chunk) return act(0, 0, count);
+  if (count <= leaves_per_chunk) return act(0, 0, count);
   tbb::parallel_for(std::uint32_t{0}, chunks_of(count), [&](std::uint32_t chunk) {
     check_progress(progress);
-    act(chunk, chunk * fragments_per_chunk, std::min(count, (chunk + 1) * fragments_per_chunk));
+    act(chunk, chunk * leaves_per_chunk, std::min(count, (chunk + 1) * leaves_per_chunk));
   });
 }
 

@@ -1,8 +1,8 @@
 #include "libgrid/hierarchy/top_down_host.h"
 
+#include "libgrid/hierarchy/parallel_partition.h"
 #include "libgrid/hierarchy/split_lanes.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -77,8 +77,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t leaves_per_task = 1024, leaves_of_all_cores = 1 << 15,
-                                 leaves_per_chunk = 1 << 13;
+  static constexpr std::uint32_t leaves_per_task = 1024, leaves_of_all_cores = 1 << 15;
 
   CollapseCosts build(PlacedLeaves range, const Boxf& space, std::size_t depth, std::uint32_t number) {
     BinaryNode& node = nodes_[number];
@@ -148,15 +147,9 @@ private:
   // The same from among leaves to among nodes, or back.
   void partition_by_all_cores(const PlacedLeaves& range, LeafSplit& split, PlacedLeaves& left,
                               PlacedLeaves& right) {
-    const std::uint32_t chunks = (range.count + leaves_per_chunk - 1) / leaves_per_chunk;
+    const std::uint32_t chunks = chunks_of(range.count);
     std::vector<std::uint32_t> left_before(chunks + 1);
-    const auto for_each_chunk = [&](const auto& act) {
-      tbb::parallel_for(std::uint32_t{0}, chunks, [&](std::uint32_t c) {
-        check_progress(progress_);
-        act(c, c * leaves_per_chunk, std::min(range.count, (c + 1) * leaves_per_chunk));
-      });
-    };
-    for_each_chunk([&](std::uint32_t c, std::uint32_t begin, std::uint32_t end) {
+    for_each_chunk(range.count, progress_, [&](std::uint32_t c, std::uint32_t begin, std::uint32_t end) {
       with_axis(split.axis, [&](auto axis) {
         std::uint32_t left_here = 0;
         for (std::uint32_t i = begin; i != end; ++i)
@@ -174,7 +167,7 @@ private:
     };
     left = place(range.first, left_count);
     right = place(range.first + left_count, range.count - left_count);
-    for_each_chunk([&](std::uint32_t c, std::uint32_t begin, std::uint32_t end) {
+    for_each_chunk(range.count, progress_, [&](std::uint32_t c, std::uint32_t begin, std::uint32_t end) {
       if (split.axis < 0) {
         for (std::uint32_t i = begin; i != end; ++i)
           put(box_of(range.leaves[i]), i < left_count ? left.leaves[i] : right.leaves[i - left_count]);
