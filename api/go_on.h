@@ -22,6 +22,7 @@ public:
   GoOn(masu_go_on go_on, void* user) : go_on_(go_on), user_(user) {}
   GoOn(const GoOn&) = delete;
   GoOn& operator=(const GoOn&) = delete;
+  ~GoOn() = default;
 
   // Empty where there is no go_on(). It refers to this.
   std::function<void(double)> progress() {
