@@ -22,25 +22,21 @@ run $bin/gridbuild "$out.scene" -o "$out.grid"
 run $bin/gridstat "$out.grid"
 run $bin/gridrender "$out.scene" "$out.grid" -o "$out.png" --stats "$out.json"
 
-# For Python, and of a mesh of one's own, where what they need was found.
+# For a mesh of one's own, and for Python, where what they need was found.
 more=(masu_shared)
 targets=$(cmake --build build --target help)
 for program in mesh2bin gridview; do
   if [[ $targets =~ (^|[^[:alnum:]_])$program([^[:alnum:]_]|$) ]]; then more+=($program); fi
 done
-echo
-echo "== the picture: $out.png"
-echo "== building what comes next: ${more[*]/masu_shared/the library}"
-build build -- --target "${more[@]}"
 cat <<NEXT
 
+the picture: $out.png
+
 next, with a mesh of your own (OBJ, PLY, STL, OFF, glTF, FBX, …):
+  cmake --build build --parallel --target ${more[*]}   # a minute on two cores
   export PATH=\$PWD/$bin:\$PATH
   mesh2bin model.obj -o out/model.scene
   gridbuild out/model.scene -o out/model.grid
   gridview out/model.scene out/model.grid         # prints an address for the browser; Ctrl+C ends it
   gridrender out/model.scene out/model.grid -o out/model.png
 NEXT
-for program in mesh2bin gridview; do
-  [ -e $bin/$program ] || echo "$program isn't built: it lacks what \"Building\" in docs/development.md says"
-done
