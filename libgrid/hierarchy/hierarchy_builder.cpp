@@ -1,9 +1,9 @@
 #include "libgrid/hierarchy/hierarchy_builder.h"
 
-#include "libgrid/hierarchy/binary_hierarchy.h"
+#include "libgrid/hierarchy/binary/binary_hierarchy.h"
+#include "libgrid/hierarchy/binary/top_down_host.h"
 #include "libgrid/hierarchy/leaf_passes.h"
 #include "libgrid/hierarchy/refit_passes.h"
-#include "libgrid/hierarchy/top_down_host.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
 

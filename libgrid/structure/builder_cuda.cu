@@ -1,11 +1,11 @@
 // One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
 #include "libgrid/grid/merge_passes.h"
+#include "libgrid/hierarchy/binary/spatial_split_passes.h"
+#include "libgrid/hierarchy/binary/top_down_passes.h"
 #include "libgrid/hierarchy/device_hierarchy.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/leaf_passes.h"
 #include "libgrid/hierarchy/refit_passes.h"
-#include "libgrid/hierarchy/spatial_split_passes.h"
-#include "libgrid/hierarchy/top_down_passes.h"
 #include "libgrid/structure/builder.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"

@@ -1,6 +1,6 @@
 #include "libgrid/structure/chosen_structure.h"
 
-#include "libgrid/hierarchy/binary_hierarchy.h"
+#include "libgrid/hierarchy/binary/binary_hierarchy.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/available_memory.h"

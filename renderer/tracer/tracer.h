@@ -49,7 +49,7 @@ public:
   // Null for brute force, and what was built here.
   const StructureFile* structure() const { return structure_; }
   bool is_hierarchy() const { return is_hierarchy_; }
-  bool is_built_here() const { return is_built_here_; }
+  bool is_built_here() const { return is_hierarchy_ && structure_ == nullptr; }
   // A copy of what was built here, for a tracer that wasn't moved.
   StructureFile built_hierarchy() const;
   // Of putting the files on the device, and of checking them.
@@ -105,7 +105,7 @@ private:
 
   const SceneFile& scene_;
   const StructureFile* structure_;
-  bool is_hierarchy_, is_built_here_ = false;
+  bool is_hierarchy_;
   Device device_;
   std::vector<int> gpus_;
   std::vector<std::shared_ptr<const DeviceFiles>> files_; // of each GPU

@@ -18,7 +18,7 @@ ResidentTracer ResidentTracer::by_fast_hierarchy(const SceneFile& scene, std::ve
   ResidentTracer tracer(
       scene, nullptr, Device::cuda, std::move(gpus),
       [&](int gpu) { return built_files_cuda(scene, gpu, &monitor); }, meanwhile);
-  tracer.is_built_here_ = tracer.is_hierarchy_ = true;
+  tracer.is_hierarchy_ = true;
   return tracer;
 }
 

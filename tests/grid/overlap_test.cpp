@@ -3,7 +3,7 @@
 #include "libgrid/grid/division.h"
 #include "libgrid/grid/overlap/clipped_bounds.h"
 #include "libgrid/grid/overlap/overlap.h"
-#include "libgrid/hierarchy/clipped_lanes.h"
+#include "libgrid/hierarchy/binary/clipped_lanes.h"
 #include "stability/oracle/oracle.h"
 #include "tests/random_test.h"
 #include "tests/ray_case.h"

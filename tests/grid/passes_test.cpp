@@ -1,8 +1,8 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU; and sorting.
+#include "libgrid/hierarchy/binary/spatial_split_passes.h"
+#include "libgrid/hierarchy/binary/top_down_passes.h"
 #include "libgrid/hierarchy/leaf_passes.h"
 #include "libgrid/hierarchy/refit_passes.h"
-#include "libgrid/hierarchy/spatial_split_passes.h"
-#include "libgrid/hierarchy/top_down_passes.h"
 #include "libscene/mesh/move_passes.h"
 #include "libscene/passes/host_executor.h"
 #include "tests/grid/builder_comparison.h"

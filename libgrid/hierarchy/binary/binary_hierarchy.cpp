@@ -1,9 +1,9 @@
-#include "libgrid/hierarchy/binary_hierarchy.h"
+#include "libgrid/hierarchy/binary/binary_hierarchy.h"
 
-#include "libgrid/hierarchy/binned_fragments.h"
+#include "libgrid/hierarchy/binary/binned_fragments.h"
+#include "libgrid/hierarchy/binary/node_numbers.h"
+#include "libgrid/hierarchy/binary/parallel_partition.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
-#include "libgrid/hierarchy/node_numbers.h"
-#include "libgrid/hierarchy/parallel_partition.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>

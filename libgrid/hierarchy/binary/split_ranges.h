@@ -1,7 +1,7 @@
 // The cheapest split of a range of leaves (leaf_split.h), by a group of threads (thread_group.h).
 #pragma once
 
-#include "libgrid/hierarchy/leaf_split.h"
+#include "libgrid/hierarchy/binary/leaf_split.h"
 
 #include <algorithm>
 

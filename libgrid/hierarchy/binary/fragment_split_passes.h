@@ -1,8 +1,8 @@
 // How a level's ranges of fragments are split (fragment_split.h), on whatever executor (executor.h).
 #pragma once
 
-#include "libgrid/hierarchy/fragment_levels.h"
-#include "libgrid/hierarchy/fragment_split.h"
+#include "libgrid/hierarchy/binary/fragment_levels.h"
+#include "libgrid/hierarchy/binary/fragment_split.h"
 #include "libscene/base/atomic.h"
 #include "libscene/passes/thread_group.h"
 

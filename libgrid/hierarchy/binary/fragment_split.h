@@ -5,7 +5,7 @@
 #pragma once
 
 #include "libgrid/grid/overlap/clipped_bounds.h"
-#include "libgrid/hierarchy/leaf_split.h"
+#include "libgrid/hierarchy/binary/leaf_split.h"
 
 #include <algorithm>
 #include <cmath>

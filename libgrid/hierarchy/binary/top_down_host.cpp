@@ -1,7 +1,7 @@
-#include "libgrid/hierarchy/top_down_host.h"
+#include "libgrid/hierarchy/binary/top_down_host.h"
 
-#include "libgrid/hierarchy/parallel_partition.h"
-#include "libgrid/hierarchy/split_lanes.h"
+#include "libgrid/hierarchy/binary/parallel_partition.h"
+#include "libgrid/hierarchy/binary/split_lanes.h"
 
 #include <tbb/parallel_invoke.h>
 

@@ -2,8 +2,8 @@
 // lanes (fragment_split.h says what for). Host only.
 #pragma once
 
-#include "libgrid/hierarchy/clipped_lanes.h"
-#include "libgrid/hierarchy/split_lanes.h"
+#include "libgrid/hierarchy/binary/clipped_lanes.h"
+#include "libgrid/hierarchy/binary/split_lanes.h"
 
 #include <bit>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Splits by the surface area heuristic along three axes at once, which are lanes. Host only.
 #pragma once
 
-#include "libgrid/hierarchy/lane_box.h"
-#include "libgrid/hierarchy/leaf_split.h"
+#include "libgrid/hierarchy/binary/lane_box.h"
+#include "libgrid/hierarchy/binary/leaf_split.h"
 
 #include <cstdint>
 #include <cstring>

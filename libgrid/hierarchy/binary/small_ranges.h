@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/bits.h"
-#include "libgrid/hierarchy/split_ranges.h"
+#include "libgrid/hierarchy/binary/split_ranges.h"
 #include "libscene/base/atomic.h"
 
 #include <algorithm>

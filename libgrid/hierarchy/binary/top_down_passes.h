@@ -10,8 +10,8 @@
 // No byte of the result depends on the executor or its number of threads.
 #pragma once
 
-#include "libgrid/hierarchy/combine_passes.h"
-#include "libgrid/hierarchy/small_ranges.h"
+#include "libgrid/hierarchy/binary/combine_passes.h"
+#include "libgrid/hierarchy/binary/small_ranges.h"
 #include "libscene/passes/thread_group.h"
 
 #include <algorithm>

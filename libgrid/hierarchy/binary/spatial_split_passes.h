@@ -13,8 +13,8 @@
 // counted, which comes to the same in any order.
 #pragma once
 
-#include "libgrid/hierarchy/combine_passes.h"
-#include "libgrid/hierarchy/fragment_split_passes.h"
+#include "libgrid/hierarchy/binary/combine_passes.h"
+#include "libgrid/hierarchy/binary/fragment_split_passes.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 
 #include <algorithm>

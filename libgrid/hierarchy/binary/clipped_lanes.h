@@ -1,8 +1,8 @@
 // Primitives cut by planes, with the same bits as by sides_with_margin() (fragment_split.h). Host only.
 #pragma once
 
-#include "libgrid/hierarchy/fragment_split.h"
-#include "libgrid/hierarchy/lane_box.h"
+#include "libgrid/hierarchy/binary/fragment_split.h"
+#include "libgrid/hierarchy/binary/lane_box.h"
 #ifdef MASU_HOST_AVX2
 #include "libscene/geometry/lanes.h"
 #endif
