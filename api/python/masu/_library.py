@@ -1,9 +1,11 @@
 """libmasu.so by ctypes: the structures and functions of masu.h, and its errors as exceptions."""
 
+import atexit
 import contextlib
 import copy
 import ctypes
 import enum
+import functools
 import operator
 import os
 import pathlib
@@ -317,6 +319,17 @@ def call(function: Callable[..., int], *arguments: Any, options: Any = None, pro
 
 # --- Objects ------------------------------------------------------------------------------------------------------
 
+class Free(weakref.ref["Held"]):
+    """Frees an object of the library when its Held goes. Nothing of it is a function of Python's, for what a handler of a
+    signal raises in one that runs as an object goes, as KeyboardInterrupt, would be lost."""
+
+    _as_parameter_ = 0  # a callback gets this reference: one argument more to the function of C, which doesn't look at it
+
+
+_frees: "dict[weakref.ref[Held], Free]" = {}
+atexit.register(_frees.clear)  # other threads may still use what is held; the process's end frees everything
+
+
 class Held:
     """An object of the library, freed when nobody refers to this one."""
 
@@ -324,8 +337,7 @@ class Held:
 
     def __init__(self, free: Callable[[c_void_p], None]) -> None:
         self.pointer = c_void_p()  # to be set; else nothing is freed
-        finalizer = weakref.finalize(self, free, self.pointer)
-        finalizer.atexit = False  # other threads may still use it; the process's end frees everything
+        _frees[weakref.ref(self, _frees.pop)] = Free(self, functools.partial(free, self.pointer))
 
 
 class Handle(c_void_p):

@@ -1,6 +1,7 @@
 """The tracer: a scene and its grid on a device, and queries of them."""
 
 import copy
+import functools
 import math
 import operator
 import secrets
@@ -54,7 +55,7 @@ def _hits(pointers: Dict[str, int], known: Dict[str, Field] = _FIELDS) -> Any:
     return byref(sized(HitsRecord(**{known[name].record: pointer for name, pointer in pointers.items()})))
 
 
-_tracers: "weakref.WeakValueDictionary[int, Tracer]" = weakref.WeakValueDictionary()
+_tracers: "dict[int, weakref.ref[Tracer]]" = {}  # of those that are there
 
 
 def _int32(name: str, number: int) -> int:
@@ -66,7 +67,8 @@ def _int32(name: str, number: int) -> int:
 
 def tracer_of(number: int) -> "Tracer":
     """The tracer whose `number` it is. A ValueError where none has it that is still there."""
-    tracer = _tracers.get(number)
+    reference = _tracers.get(number)
+    tracer = reference() if reference else None
     if tracer is None:
         raise ValueError("tracer: {} is the number of none that is there in this process".format(number))
     return tracer
@@ -166,7 +168,7 @@ class Tracer(Resource):
 
     def _register(self) -> None:
         self.number = secrets.randbits(62)
-        _tracers[self.number] = self
+        _tracers[self.number] = weakref.ref(self, functools.partial(_tracers.pop, self.number))  # of C, as Free is
 
     def __copy__(self) -> "Tracer":
         copied = super().__copy__()
