@@ -286,10 +286,11 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
   return child_places;
 }
 
-// As a grid of the layout's space, in one voxel.
+// As a grid of the layout's space, in one voxel. What isn't read any more is freed meanwhile: this is where a
+// build takes most memory.
 template <class Executor>
 ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLayout& layout,
-                                                const BinaryHierarchy<Executor>& from) {
+                                                BinaryHierarchy<Executor> from) {
   ExecutorStructure<Executor> structure{{layout.space, {1, 1, 1}, layout.margin}, StructureKind::hierarchy};
   if (from.nodes.size() == 0) {
     structure.nodes = executor.template zeros<HierarchyNode>(1);
@@ -300,6 +301,7 @@ ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLa
   for (auto roots = executor.template zeros<std::uint32_t>(1); roots.size() > 0;
        roots = child_roots(executor, levels.back()))
     levels.push_back(collapsed_level(executor, binary, std::move(roots)));
+  from.choices = {};
   const auto below = [&](std::size_t level) {
     return level + 1 < levels.size() ? &levels[level + 1] : nullptr;
   };
@@ -310,8 +312,10 @@ ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLa
   auto places = executor.template array<NodePlace>(1);
   NodePlace* const root = places.data();
   executor.for_each(1, [=] MASU_PASS(std::uint64_t) { *root = {0, 1, 0}; });
-  for (std::size_t level = 0; level < levels.size(); ++level)
+  for (std::size_t level = 0; level < levels.size(); ++level) {
     places = write_level(executor, binary, levels[level], below(level), places, structure);
+    levels[level] = {};
+  }
   return structure;
 }
 

@@ -129,6 +129,14 @@ std::uint64_t for_each_placed(std::span<const SectionData> sections, const Act& 
   return end;
 }
 
+void clear_gaps(std::span<const fb::Section> layout, HostBytes& body) {
+  std::uint64_t end = 0;
+  for (const fb::Section& section : layout) {
+    std::fill(body.data() + end, body.data() + section.offset(), std::uint8_t{0});
+    end = section.offset() + section_size(section);
+  }
+}
+
 void write_zeros(OutputFile& file, std::uint64_t count) {
   const std::array<std::uint8_t, body_alignment> zeros{};
   file.write({zeros.data(), count});
@@ -177,10 +185,10 @@ make_container(const FileKind& kind, std::span<const SectionData> sections,
                const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table,
                const ProgressMonitor* progress) {
   const std::uint64_t end = for_each_placed(sections, [](const SectionData&, std::uint64_t) {});
-  ContainerMemory memory{{}, PrivateMemory(end)};
+  ContainerMemory memory{{}, HostBytes(end)};
   std::vector<SectionData> made; // in the body
   for_each_placed(sections, [&](const SectionData& section, std::uint64_t offset) {
-    std::uint8_t* const to = memory.body.bytes().data() + offset;
+    std::uint8_t* const to = memory.body.data() + offset;
     constexpr std::uint64_t grain = std::uint64_t{1} << 14;
     tbb::parallel_for(tbb::blocked_range(std::uint64_t{0}, section.count, grain), [&](const auto& range) {
       check_progress(progress);
@@ -193,11 +201,13 @@ make_container(const FileKind& kind, std::span<const SectionData> sections,
     });
     made.push_back({section.kind, section.record_bytes, section.count, to, {}});
   });
-  const std::vector<std::uint8_t> table_bytes = table(lay_out(made));
+  const std::vector<fb::Section> layout = lay_out(made);
+  clear_gaps(layout, memory.body);
+  const std::vector<std::uint8_t> table_bytes = table(layout);
   const Prelude prelude = prelude_of(kind, table_bytes, end);
-  memory.head = PrivateMemory(prelude.body_offset);
-  std::memcpy(memory.head.bytes().data(), &prelude, sizeof prelude);
-  std::ranges::copy(table_bytes, memory.head.bytes().begin() + sizeof prelude);
+  memory.head.assign(prelude.body_offset, 0);
+  std::memcpy(memory.head.data(), &prelude, sizeof prelude);
+  std::ranges::copy(table_bytes, memory.head.begin() + sizeof prelude);
   return memory;
 }
 
@@ -227,8 +237,8 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind, Resi
     throw_damaged(path,
                   fmt::format("the {} file is truncated, too long, or its prelude is damaged", kind.name));
   head_ = file_->memory(head.body_offset);
-  std::copy(head_bytes.begin(), head_bytes.end(), head_.bytes().begin());
-  const auto rest = head_.bytes().subspan(sizeof head);
+  std::copy(head_bytes.begin(), head_bytes.end(), head_.begin());
+  const auto rest = std::span(head_).subspan(sizeof head);
   file_->read(sizeof head, rest);
   if (content_hash(head, table()) != head.hash || !all_zero(rest.subspan(head.table_bytes))) {
     file_->check_unchanged();
@@ -239,11 +249,11 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind, Resi
 
 ContainerFile::ContainerFile(ContainerMemory memory, const char* name)
     : path_(name), residence_(Residence::memory), head_(std::move(memory.head)),
-      memory_(std::move(memory.body)), body_(memory_.bytes()) {}
+      memory_(std::move(memory.body)), body_(memory_) {}
 
 void ContainerFile::write(const std::string& path) const {
   OutputFile file(path);
-  file.write(head_.bytes());
+  file.write(head_);
   file.write(body_);
   file.commit();
 }
@@ -278,7 +288,7 @@ Hash ContainerFile::read_section(const fb::Section& section) {
       return body_.subspan(section.offset() + begin, bytes);
     });
   const std::uint64_t offset = prelude().body_offset + section.offset();
-  const auto to = memory_.bytes().subspan(section.offset(), section_size(section));
+  const auto to = std::span(memory_).subspan(section.offset(), section_size(section));
   return hash_of_pieces(to.size(), [&](std::uint64_t begin, std::uint64_t bytes) {
     const auto piece = to.subspan(begin, bytes);
     file_->read(offset + begin, piece);
@@ -313,7 +323,8 @@ void ContainerFile::read_sections(std::span<const fb::Section> sections) {
     body_ = mapping_.bytes().subspan(prelude().body_offset);
   } else {
     memory_ = file_->memory(body_bytes);
-    body_ = memory_.bytes();
+    clear_gaps(sections, memory_);
+    body_ = memory_;
   }
   std::vector<Hash> hashes;
   for (const fb::Section& section : sections)

@@ -96,8 +96,8 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
 
 // The bytes of a container that is made in memory.
 struct ContainerMemory {
-  PrivateMemory head; // prelude and table, up to the body's offset
-  PrivateMemory body;
+  HostBytes head; // prelude and table, up to the body's offset
+  HostBytes body;
 };
 // `table` makes the finished FlatBuffer that lists the sections. What the progress throws ends it.
 ContainerMemory
@@ -174,7 +174,7 @@ public:
   ContainerFile(ContainerMemory memory, const char* name);
 
   std::span<const std::uint8_t> table() const {
-    return head_.bytes().subspan(sizeof(Prelude), prelude().table_bytes);
+    return std::span(head_).subspan(sizeof(Prelude), prelude().table_bytes);
   }
   const Hash& hash() const { return prelude().hash; }
   const std::string& path() const { return path_; }
@@ -223,7 +223,7 @@ public:
   void write(const std::string& path) const;
 
 private:
-  const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(head_.bytes().data()); }
+  const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(head_.data()); }
   // Has a section where it is wanted; returns its hash.
   Hash read_section(const fb::Section& section);
   const fb::Section* section_of(std::span<const fb::Section> sections, std::uint32_t kind,
@@ -234,8 +234,8 @@ private:
   std::string path_;
   std::optional<InputFile> file_; // none where it was made in memory
   Residence residence_;
-  PrivateMemory head_;                 // prelude and table
-  PrivateMemory memory_;               // one of these has the sections,
+  HostBytes head_;                     // prelude and table
+  HostBytes memory_;                   // one of these has the sections,
   FileMapping mapping_;                // or none
   std::span<const std::uint8_t> body_; // of either
 };

@@ -60,12 +60,12 @@ void InputFile::fail(const std::string& what) const {
   throw Error(ErrorCode::input, path_, what);
 }
 
-PrivateMemory InputFile::memory(std::uint64_t bytes) const {
+HostBytes InputFile::memory(std::uint64_t bytes) const {
   const auto needed = static_cast<double>(bytes);
   if (const double available = available_memory_for(needed); needed > available)
     fail(fmt::format("needs {} of memory, {} are available: use a machine with more memory",
                      gigabytes(needed), gigabytes(available)));
-  return PrivateMemory(bytes);
+  return HostBytes(bytes);
 }
 
 void InputFile::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
@@ -83,9 +83,9 @@ void InputFile::check_unchanged() const {
   if (has_changed(file_, opened_)) fail("was changed while it was in use: run again when it is complete");
 }
 
-PrivateMemory InputFile::contents() const {
-  PrivateMemory bytes = memory(size());
-  read(0, bytes.bytes());
+HostBytes InputFile::contents() const {
+  HostBytes bytes = memory(size());
+  read(0, bytes);
   check_unchanged();
   return bytes;
 }

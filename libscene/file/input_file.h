@@ -2,7 +2,7 @@
 // don't change with the file; file_mapping.h has the other way.
 #pragma once
 
-#include "libscene/file/private_memory.h"
+#include "libscene/base/host_array.h"
 
 #include <sys/stat.h>
 
@@ -40,11 +40,11 @@ public:
 
   // Memory for so many of its bytes, which are to be read. Throws Error(input, path, …) where they need more
   // than is available.
-  PrivateMemory memory(std::uint64_t bytes) const;
+  HostBytes memory(std::uint64_t bytes) const;
   // Fills `to`. Throws Error(input, path, …): also where the file has become shorter.
   void read(std::uint64_t offset, std::span<std::uint8_t> to) const;
   // All of its bytes. Throws Error(input, path, …).
-  PrivateMemory contents() const;
+  HostBytes contents() const;
   // To be called after the last look at its bytes: throws Error(input, path, …) where the file was written
   // since it was opened, so that what was seen may be neither its old nor its new contents.
   void check_unchanged() const;

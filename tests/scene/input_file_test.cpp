@@ -48,7 +48,7 @@ TEST_F(InputFiles, AreReadWhole) {
     for (std::uint8_t& byte : bytes)
       byte = static_cast<std::uint8_t>(random());
     write_bytes(file("a"), bytes);
-    EXPECT_TRUE(std::ranges::equal(InputFile(file("a")).contents().bytes(), bytes));
+    EXPECT_TRUE(std::ranges::equal(InputFile(file("a")).contents(), bytes));
   }
 }
 

@@ -61,14 +61,13 @@ Scene read_mesh_scene(const std::string& path, const std::function<void(double)>
   const std::filesystem::path parts(path);
   const std::string extension = extension_of(parts);
   const ImportOptions options{.progress = progress};
-  const PrivateMemory contents = InputFile(path).contents();
+  const HostBytes contents = InputFile(path).contents();
   std::optional<MeshFormat> format = format_of_name(extension);
   if (!format && extension.empty())
-    format =
-        format_of_content({reinterpret_cast<const char*>(contents.bytes().data()), contents.bytes().size()});
+    format = format_of_content({reinterpret_cast<const char*>(contents.data()), contents.size()});
   if (!format)
     throw Error(ErrorCode::input, path, "is no scene, NFF, OBJ, PLY, STL or OFF: convert it by mesh2bin");
-  const MeshFile mesh = read_mesh_file(contents.bytes(), *format, parts.parent_path(), path, options);
+  const MeshFile mesh = read_mesh_file(contents, *format, parts.parent_path(), path, options);
   ImportedScene imported = viewed_scene_of(mesh, path, options);
   print_warnings("gridview", path, imported.notes);
   return std::move(imported.scene);

@@ -337,6 +337,7 @@ private:
     if (range.count > 1024) {
       tbb::parallel_invoke([&] { split_left(numbers_.of_thread()); },
                            [&] { split_right(numbers_.of_thread()); });
+      give_back(range.first, std::size_t{range.count} + range.places);
     } else {
       split_left(own);
       split_right(own);

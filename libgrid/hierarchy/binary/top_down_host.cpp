@@ -102,6 +102,7 @@ private:
     if (range.count > leaves_per_task) {
       check_progress(progress_);
       tbb::parallel_invoke(build_left, build_right);
+      give_back(among_leaves(range.first), range.count);
     } else {
       build_left();
       build_right();

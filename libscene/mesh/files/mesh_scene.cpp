@@ -210,8 +210,8 @@ MeshFile read_mesh_file(std::span<const std::uint8_t> bytes, MeshFormat format,
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return {};
     if (options.opened) options.opened(path);
-    const PrivateMemory contents = InputFile(path).contents();
-    return std::string(contents.bytes().begin(), contents.bytes().end());
+    const HostBytes contents = InputFile(path).contents();
+    return std::string(contents.begin(), contents.end());
   };
   MeshFile mesh = parse_mesh_file({text, name, other_file, options.progress}, format);
   if (options.parsed) options.parsed();

@@ -245,7 +245,7 @@ ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
   const std::string extension = extension_of(parts);
   if (options.opened) options.opened(path);
   const std::optional<MeshFile> mesh =
-      parsed_mesh(InputFile(path).contents().bytes(), extension, parts.parent_path(), path, options);
+      parsed_mesh(InputFile(path).contents(), extension, parts.parent_path(), path, options);
   if (mesh) return viewed_scene_of(*mesh, path, options);
   return imported_by(path, options,
                      [&](Assimp::Importer& importer) { return importer.ReadFile(path, no_steps); });
