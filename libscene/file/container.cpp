@@ -129,6 +129,7 @@ std::uint64_t for_each_placed(std::span<const SectionData> sections, const Act& 
   return end;
 }
 
+// Zeros between sections: bodies are written as they are.
 void clear_gaps(std::span<const fb::Section> layout, HostBytes& body) {
   std::uint64_t end = 0;
   for (const fb::Section& section : layout) {
