@@ -53,7 +53,7 @@ using HostBytes = HostArray<std::uint8_t>;
 // Elements that aren't read again take no memory from now on, as far as they fill huge pages.
 template <class T>
 void give_back(T* elements, std::size_t count) {
-  give_back_huge_pages(elements, count * sizeof(T));
+  advise_huge_pages(elements, count * sizeof(T), MADV_DONTNEED);
 }
 
 // What an executor (libscene/passes/executor.h) on the host works in.

@@ -102,6 +102,16 @@ TYPED_TEST_P(BuilderComparison, AHierarchyIsTheSameBytes) {
   }
 }
 
+// So many that builders give memory back meanwhile.
+TYPED_TEST_P(BuilderComparison, AHierarchyOfMuchIsTheSameBytes) {
+  auto scene = scattered_scene<typename TypeParam::Stored>(this->chance_, 150000);
+  StructureOptions options{StructureKind::hierarchy};
+  for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+    options.quality = quality;
+    this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
+  }
+}
+
 // Where what may be divided runs out, and where halves are taken: then the order of parts matters.
 TYPED_TEST_P(BuilderComparison, AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes) {
   using Stored = typename TypeParam::Stored;
@@ -152,7 +162,8 @@ TYPED_TEST_P(BuilderComparison, AGridOfNothingIsTheSameBytes) {
 
 REGISTER_TYPED_TEST_SUITE_P(BuilderComparison, AUniformGridIsTheSameBytes, AUniformGridOfBlocksIsTheSameBytes,
                             AMergedGridIsTheSameBytes, AMergedGridOfManyPartsIsTheSameBytes,
-                            AHierarchyIsTheSameBytes, AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes,
+                            AHierarchyIsTheSameBytes, AHierarchyOfMuchIsTheSameBytes,
+                            AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes,
                             ARefittedHierarchyIsTheSameBytes, AGridOfNothingIsTheSameBytes);
 
 } // namespace masu
