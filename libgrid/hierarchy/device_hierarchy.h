@@ -1,24 +1,16 @@
 // Hierarchies that are made on a CUDA device to be traced there. CUDA sources only.
 #pragma once
 
-#include "libgrid/grid/grid_layout.h"
-#include "libgrid/structure/structure_records.h"
-#include "libscene/base/progress_monitor.h"
+#include "libgrid/structure/structure.h"
 #include "libscene/cuda/device_memory.h"
-#include "libscene/scene_view.h"
 
 namespace masu {
 
-// Of HierarchyQuality::fast, the same bytes as build_hierarchy() makes (hierarchy_builder.h).
-struct BuiltHierarchy {
-  DeviceArray<HierarchyNode> nodes;
-  DeviceArray<PrimitiveIndex> references;
-};
-
-// Of a scene in memory of the GPU, in this pool. Throws as build_hierarchy() does, and Error(device).
+// Of HierarchyQuality::fast, the same bytes as build_hierarchy() makes (hierarchy_builder.h), of a scene in
+// memory of the GPU, in this pool. Throws as that does, and Error(device).
 template <class Stored>
-BuiltHierarchy fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, cudaMemPool_t pool,
-                              int gpu, const ProgressMonitor* progress);
+StructureIn<CudaMemory> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout,
+                                       cudaMemPool_t pool, int gpu, const ProgressMonitor* progress);
 
 // Vertices in the world, where a pass sees them (libscene/mesh/move_passes.h).
 template <class Number>

@@ -180,20 +180,20 @@ private:
 } // namespace
 
 template <class Stored>
-BuiltHierarchy fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, cudaMemPool_t pool,
-                              int gpu, const ProgressMonitor* progress) {
+StructureIn<CudaMemory> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout,
+                                       cudaMemPool_t pool, int gpu, const ProgressMonitor* progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
   return on_gpu(gpu, progress, [&] {
     CudaExecutor executor(pool, progress);
     ExecutorStructure<CudaExecutor> built = hierarchy(executor, scene, layout, HierarchyQuality::fast);
     check(cudaStreamSynchronize(nullptr));
-    return BuiltHierarchy{std::move(built.nodes), std::move(built.references)};
+    return built;
   });
 }
-template BuiltHierarchy fast_hierarchy(const SceneView<float>&, const GridLayout&, cudaMemPool_t, int,
-                                       const ProgressMonitor*);
-template BuiltHierarchy fast_hierarchy(const SceneView<double>&, const GridLayout&, cudaMemPool_t, int,
-                                       const ProgressMonitor*);
+template StructureIn<CudaMemory> fast_hierarchy(const SceneView<float>&, const GridLayout&, cudaMemPool_t,
+                                                int, const ProgressMonitor*);
+template StructureIn<CudaMemory> fast_hierarchy(const SceneView<double>&, const GridLayout&, cudaMemPool_t,
+                                                int, const ProgressMonitor*);
 
 template <class Stored, class Number>
 MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const StructureRecords& hierarchy,

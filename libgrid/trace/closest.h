@@ -5,6 +5,7 @@
 #pragma once
 
 #include "libgrid/bits.h"
+#include "libgrid/hierarchy/walk/slots_by_distance.h"
 #include "libgrid/trace/hits_in_order.h"
 #include "libscene/geometry/closest_point.h"
 
@@ -42,6 +43,9 @@ struct ClosestSearch {
   template <class Primitive>
   MASU_HD void offer(PrimitiveIndex number, const Primitive& primitive) {
     if (!has_surface(primitive)) return;
+#ifndef __CUDA_ARCH__ // where it costs more than it saves
+    if (is_farther(primitive)) return;
+#endif
     const ClosestPoint closest = closest_point(primitive, place);
     const double best = found.closest.squared;
     if (!(closest.squared < best || (closest.squared == best && number < found.primitive))) return;
@@ -51,6 +55,20 @@ struct ClosestSearch {
   }
 
 private:
+  // Whether its bounding box is: a triangle's costs a third of finding its closest point.
+  template <class Primitive>
+  bool is_farther(const Primitive& primitive) const {
+    if constexpr (std::is_same_v<Primitive, Triangle<double>>) {
+      const Vec3d a = primitive.a - place, b = primitive.b - place, c = primitive.c - place;
+      const auto away = [](double x, double y, double z) {
+        return fast_max(fast_max(fast_min(fast_min(x, y), z), -fast_max(fast_max(x, y), z)), 0.0);
+      };
+      const Vec3d off{away(a.x, b.x, c.x), away(a.y, b.y, c.y), away(a.z, b.z, c.z)};
+      return dot(off, off) > farthest;
+    }
+    return false;
+  }
+
   // `from` has the primitive's record: SceneRecord or Leaf.
   template <class From>
   MASU_HD void keep(PrimitiveIndex number, const From& from) {
@@ -70,48 +88,20 @@ MASU_HD inline void search(const NoStructure&, ClosestSearch<Stored>& search) {
     search.primitive(i);
 }
 
-// The squared distances of `count` of a node's boxes, from a slot on.
-template <int count>
-MASU_HD inline void box_distances(const HierarchyNode& node, int first, const Vec3d& place,
-                                  double (&squared)[count]) {
-  for (double& distance : squared)
-    distance = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto unit = static_cast<double>(float_of((node.exponents >> (8 * axis) & 0xff) << 23));
-    const double from = place[axis] - static_cast<double>(node.origin[axis]);
-    for (int i = 0; i < count; ++i) {
-      const double below = unit * slot_byte(node.low[axis], first + i) - from,
-                   above = from - unit * slot_byte(node.high[axis], first + i);
-      const double away = fast_max(fast_max(below, above), 0.0);
-      squared[i] += away * away;
-    }
-  }
-}
-
-// Slots of a node whose boxes are no farther than `farthest`, 4 bits each with the highest set, the nearest
-// lowest.
-MASU_HD inline std::uint32_t slots_in_order(const HierarchyNode& node, const Vec3d& place, double farthest) {
-  double distance[boxes_per_node], sorted[boxes_per_node];
-  box_distances(node, 0, place, distance);
-  std::uint32_t slots = 0;
-  int count = 0;
-  for (int slot = 0; slot < boxes_per_node; ++slot) {
-    const double squared = distance[slot];
-    if (slot_byte(node.slots, slot) == 0 || !(squared <= farthest)) continue;
-    int at = count++;
-    for (; at > 0 && sorted[at - 1] > squared; --at)
-      sorted[at] = sorted[at - 1];
-    sorted[at] = squared;
-    const std::uint32_t nearer = (1U << (4 * at)) - 1;
-    slots = (slots & nearer) | (slots & ~nearer) << 4 | (8U | static_cast<std::uint32_t>(slot)) << (4 * at);
-  }
-  return slots;
-}
-
 // Whether a node isn't one, but what is below it was shown (libgrid/placed/placed_closest.h).
 template <class Hierarchy, class Search>
 MASU_HD constexpr bool show_item(const Hierarchy&, std::uint32_t, Search&) {
   return false;
+}
+
+// Begins to fetch what is shown soon: on the host triangles lie in their own order, anywhere.
+template <class Hierarchy, class Search>
+MASU_HD constexpr void prefetch_shown(const Hierarchy&, std::uint32_t, const Search&) {}
+template <class Real, class Stored>
+inline void prefetch_shown(const HierarchyView<Real>& hierarchy, std::uint32_t reference,
+                           const ClosestSearch<Stored>& search) {
+  const PrimitiveIndex primitive = hierarchy.references[reference];
+  if (primitive < search.scene.triangle_count) prefetch(search.scene.triangles + primitive);
 }
 
 // Depth first from a node on, of each node the nearest boxes first; by whatever has `place`, `farthest`, and
@@ -121,30 +111,30 @@ template <class Hierarchy, class Search>
 MASU_HD inline void search(const Hierarchy& hierarchy, Search& search, std::uint32_t root = 0) {
   if (show_item(hierarchy, root, search)) return;
   struct Level {
-    std::uint32_t node, slots;
+    std::uint32_t node;
+    SlotsByDistance slots;
   };
   Level levels[max_hierarchy_depth];
-  levels[0] = {root, slots_in_order(hierarchy.nodes[root], search.place, search.farthest)};
+  levels[0] = {root, SlotsByDistance(hierarchy.nodes[root], search.place, search.farthest)};
   for (int depth = 0; depth >= 0;) {
     Level& level = levels[depth];
     const HierarchyNode& node = hierarchy.nodes[level.node];
-    const std::uint32_t slot = level.slots & 7;
-    double squared[1] = {NAN};
-    if (level.slots != 0) box_distances(node, static_cast<int>(slot), search.place, squared);
-    if (!(squared[0] <= search.farthest)) {
+    std::uint32_t slot = 0;
+    if (!level.slots.next(node, search.place, search.farthest, slot)) {
       --depth;
       continue;
     }
-    level.slots >>= 4;
     const std::uint32_t held = slot_byte(node.slots, static_cast<int>(slot)), nodes = node_slots(node);
     if ((nodes >> slot & 1) == 0) {
       const std::uint32_t begin = node.first_reference + references_begin(held);
+      for (std::uint32_t i = begin; i < begin + references_in(held); ++i)
+        prefetch_shown(hierarchy, i, search);
       for (std::uint32_t i = begin; i < begin + references_in(held); ++i)
         show(hierarchy, i, search);
     } else if (depth + 1 < max_hierarchy_depth) { // always, but while a mapped file changes
       const std::uint32_t child = node_in(node.first_node, nodes, slot);
       if (show_item(hierarchy, child, search)) continue;
-      levels[++depth] = {child, slots_in_order(hierarchy.nodes[child], search.place, search.farthest)};
+      levels[++depth] = {child, SlotsByDistance(hierarchy.nodes[child], search.place, search.farthest)};
     }
   }
 }

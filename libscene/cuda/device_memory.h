@@ -178,6 +178,12 @@ private:
   cudaStream_t stream_ = nullptr;
 };
 
+// What arrays are in that are made on a device.
+struct CudaMemory {
+  template <class T>
+  using Array = DeviceArray<T>;
+};
+
 // Page-locked host memory, which the device reads and writes directly.
 class PinnedBuffer {
 public:

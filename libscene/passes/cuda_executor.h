@@ -281,7 +281,7 @@ class CudaExecutor {
 public:
   static constexpr bool has_warps = true;
   static constexpr unsigned lanes = 1;
-  using Memory = CudaExecutor;
+  using Memory = CudaMemory;
   template <class T>
   using Array = DeviceArray<T>;
 

@@ -43,20 +43,11 @@ template unsigned checked_kinds(const DeviceFilesOf<double>&, const SceneFile&);
 
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* structure,
                                                      int device) {
-  const DeviceScope scope(device);
-  const auto memory = std::make_shared<DeviceMemory>(device);
-  auto files = std::make_shared<DeviceFiles>(memory);
-  const auto upload_as = [&]<class Stored>(std::optional<DeviceFilesOf<Stored>>& stored) {
-    Transfer upload(memory->pool);
-    stored.emplace(scene, structure, memory->pool, upload);
-    upload.run();
-    if (structure != nullptr) check_structure(*stored, *structure);
-    if (stored->is_hierarchy()) stored->upload_leaves(scene, upload);
-    files->kinds = checked_kinds(*stored, scene);
-  };
-  scene.is_float64() ? upload_as(files->float64) : upload_as(files->float32);
-  memory->pool.trim(); // of what checks and leaves took meanwhile
-  return files;
+  return files_on(device, scene, structure, [&](auto& files, Transfer& upload) {
+    if (structure != nullptr) check_structure(files, *structure);
+    if (files.is_hierarchy()) files.upload_leaves(scene, upload);
+    return checked_kinds(files, scene);
+  });
 }
 
 unsigned kinds_on(const DeviceFiles& files) {

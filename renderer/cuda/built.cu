@@ -6,22 +6,14 @@ namespace masu {
 
 std::shared_ptr<const DeviceFiles> built_files_cuda(const SceneFile& scene, int device,
                                                     const ProgressMonitor* progress) {
-  const DeviceScope scope(device);
-  const auto memory = std::make_shared<DeviceMemory>(device);
-  auto files = std::make_shared<DeviceFiles>(memory);
-  const auto build_as = [&]<class Stored>(std::optional<DeviceFilesOf<Stored>>& stored) {
-    Transfer upload(memory->pool);
-    stored.emplace(scene, nullptr, memory->pool, upload);
-    upload.run();
-    files->kinds = checked_kinds(*stored, scene);
+  return files_on(device, scene, nullptr, [&]<class Stored>(DeviceFilesOf<Stored>& files, Transfer&) {
+    const unsigned kinds = checked_kinds(files, scene);
     const auto layout = layout_in<Stored>(scene.bounds(), {1, 1, 1}, SpaceRule::tight);
     const MemoryPool temporary; // what is kept would lie scattered among what building took
-    stored->take(fast_hierarchy(stored->scene.view, layout, temporary, device, progress), layout);
-    stored->rearrange_leaves(scene);
-  };
-  scene.is_float64() ? build_as(files->float64) : build_as(files->float32);
-  memory->pool.trim(); // of what building took meanwhile
-  return files;
+    files.take(fast_hierarchy(files.scene.view, layout, temporary, device, progress));
+    files.rearrange_leaves(scene);
+    return kinds;
+  });
 }
 
 Structure built_hierarchy_cuda(const DeviceFiles& files) {

@@ -129,4 +129,23 @@ struct DeviceFiles {
 template <class Stored>
 unsigned checked_kinds(const DeviceFilesOf<Stored>& files, const SceneFile& scene);
 
+// A scene and its structure, or none yet, brought to a device, where complete(DeviceFilesOf, Transfer) checks
+// them and makes what is traced; returns the kinds of primitives. What it takes meanwhile is given back.
+template <class Complete>
+std::shared_ptr<const DeviceFiles> files_on(int device, const SceneFile& scene,
+                                            const StructureFile* structure, const Complete& complete) {
+  const DeviceScope scope(device);
+  const auto memory = std::make_shared<DeviceMemory>(device);
+  auto files = std::make_shared<DeviceFiles>(memory);
+  const auto make = [&]<class Stored>(std::optional<DeviceFilesOf<Stored>>& stored) {
+    Transfer upload(memory->pool);
+    stored.emplace(scene, structure, memory->pool, upload);
+    upload.run();
+    files->kinds = complete(*stored, upload);
+  };
+  scene.is_float64() ? make(files->float64) : make(files->float32);
+  memory->pool.trim();
+  return files;
+}
+
 } // namespace masu

@@ -141,7 +141,7 @@ struct DeviceFilesOf {
   bool is_hierarchy() const { return structure.records && structure.records->is_hierarchy; }
 
   // A copy of a hierarchy of the scene, whose triangles are there in their order.
-  void take(const BuiltHierarchy& built, const GridLayout& layout) {
+  void take(StructureIn<CudaMemory> built) {
     const auto copied = [&]<class T>(const DeviceArray<T>& from) {
       DeviceArray<T> to(from.size(), memory);
       if (from.size() > 0)
@@ -149,19 +149,12 @@ struct DeviceFilesOf {
                               memory.stream));
       return to;
     };
-    auto nodes = copied(built.nodes);
-    auto references = copied(built.references);
-    StructureRecords records{};
-    records.nodes = nodes.data();
-    records.references = references.data();
-    records.node_count = built.nodes.size();
-    records.reference_count = built.references.size();
-    records.primitives = scene.view.primitive_count();
-    records.is_hierarchy = true;
-    records.layout = layout;
-    structure.records = records;
-    structure.nodes = shared(std::move(nodes));
-    structure.references = shared(std::move(references));
+    built.nodes = copied(built.nodes);
+    built.references = copied(built.references);
+    structure.records = built;
+    structure.records->primitives = scene.view.primitive_count();
+    structure.nodes = shared(std::move(built.nodes));
+    structure.references = shared(std::move(built.references));
   }
 
   // The scene's primitives into the leaves of the hierarchy, whose records are there and checked: triangles

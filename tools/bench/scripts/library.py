@@ -3,14 +3,19 @@
 library.py rates SCENE GRID PREFIX       million rays per second of queries of the sets that gridbench rays saved
 library.py arrays TRIANGLES cuda|cpu     milliseconds from arrays to the first hit, and of an update to moved vertices
 library.py answer TRIANGLES cuda|cpu     of each tracer milliseconds to prepare, with its first thousand rays, and million random
-                                         rays per second; on a CPU beside Embree 3 where it is installed, on a GPU with
-                                         the bytes per triangle that are taken from it
+                                         rays per second; on a CPU beside Embree 3 where it is installed; with the bytes
+                                         per triangle that are taken of the memory
+library.py closest TRIANGLES cuda|cpu    million points per second whose distance is found; on a CPU beside Open3D where it
+                                         is installed
 """
 import concurrent.futures
 import ctypes
 import json
 import os
+import pathlib
+import re
 import statistics
+import subprocess
 import sys
 import threading
 import time
@@ -167,6 +172,25 @@ class Masu:
     def trace(self, rays):
         return self.tracer.nearest(rays)["t_hit"]
 
+    def distances(self, points):
+        return self.tracer.closest(points, fields="distances")["distances"]
+
+
+TRACERS = {"Masu": Masu, "Masu, `high`": lambda *given: Masu(*given, "high"),
+           "Embree, medium": lambda vertices, faces, device: Embree(vertices, faces, "medium"),
+           "Embree, high": lambda vertices, faces, device: Embree(vertices, faces, "high")}
+
+
+def peak(triangles, name):
+    """Bytes of the host's memory, at most, per triangle, until a tracer on a CPU is there; of a process that makes no other."""
+    vertices, faces = waves(int(triangles))
+    own = pathlib.Path("/proc/self")
+    kilobytes = lambda kind: int(re.search(kind + r":\s*(\d+)", (own / "status").read_text())[1])
+    (own / "clear_refs").write_text("5")  # what counts as the most begins here
+    before = kilobytes("VmRSS")
+    tracer = TRACERS[name](vertices, faces, "cpu")
+    return (kilobytes("VmHWM") - before) * 1024 / len(faces)
+
 
 def bytes_taken(vertices, faces):
     """Of a GPU's memory by a tracer through a hierarchy, per triangle: then, while it is made at most, and likewise where it
@@ -192,18 +216,16 @@ def answer(triangles, device):
     vertices, faces = waves(int(triangles))
     ends = np.random.default_rng(1).uniform((0, 0, -0.1), (1, 1, 0.1), (2, 1 << (20 if device == "cpu" else 22), 3))
     rays = np.concatenate([ends[0], ends[1] - ends[0]], 1).astype(np.float32)
-    makers = {"Masu": lambda: Masu(vertices, faces, device), "Masu, `high`": lambda: Masu(vertices, faces, device, "high")}
-    if device == "cpu":
-        makers |= {"Embree, medium": lambda: Embree(vertices, faces, "medium"),
-                   "Embree, high": lambda: Embree(vertices, faces, "high")}
     found, hits = {}, set()
-    for name, make in makers.items():
+    for name, make in TRACERS.items():
+        if device == "cuda" and name.startswith("Embree"):
+            continue
         prepared, seconds, tracer = [], [], None
         try:
             for repeat in range(5):  # the first one on a GPU creates its context
                 tracer = None
                 begin = time.perf_counter()
-                tracer = make()
+                tracer = make(vertices, faces, device)
                 tracer.trace(tracer.packed(rays[:1000]))
                 prepared.append(time.perf_counter() - begin)
         except OSError:
@@ -216,12 +238,50 @@ def answer(triangles, device):
         hits.add(int(np.isfinite(np.asarray(t.cpu() if device == "cuda" else t)).sum()))
         found[name] = {"prepare_ms": 1e3 * statistics.median(prepared[1:]), "mrays": len(rays) / 1e6 / statistics.median(seconds)}
     assert max(hits) - min(hits) < 1e-4 * len(rays), hits
-    return {"triangles": len(faces), "tracers": found,
-            "bytes_a_triangle": bytes_taken(vertices, faces) if device == "cuda" else None}
+    if device == "cuda":
+        taken = bytes_taken(vertices, faces)
+    else:
+        taken = {name: json.loads(subprocess.check_output([sys.executable, "-B", __file__, "peak", triangles, name]))
+                 for name in found}
+    return {"triangles": len(faces), "tracers": found, "bytes_a_triangle": taken}
+
+
+class Open3D:
+    def __init__(self, vertices, faces):
+        import open3d
+        self.packed = open3d.core.Tensor
+        self.scene = open3d.t.geometry.RaycastingScene()
+        self.scene.add_triangles(self.packed(vertices), self.packed(faces))
+
+    def distances(self, points):
+        return self.scene.compute_distance(points).numpy()
+
+
+def closest(triangles, device):
+    """Of points near the surface, off by up to a hundredth of its side along each axis, and anywhere in the cube around it."""
+    vertices, faces = waves(int(triangles))
+    random, count = np.random.default_rng(1), 1 << 20
+    points = {"near": random.choice(vertices, count) + random.uniform(-0.01, 0.01, (count, 3)),
+              "anywhere": random.uniform((0, 0, -0.5), (1, 1, 0.5), (count, 3))}
+    makers, found, sums = {"Masu": lambda: Masu(vertices, faces, device)}, {}, set()
+    if device == "cpu":
+        makers["Open3D"] = lambda: Open3D(vertices, faces)
+    for name, make in makers.items():
+        try:
+            tracer = make()
+        except ImportError:
+            continue  # isn't installed
+        for where, of in points.items():
+            packed = tracer.packed(of.astype(np.float32))
+            seconds = (seconds_on_cpu if device == "cpu" else seconds_on_gpu)(lambda: tracer.distances(packed))
+            found.setdefault(name, {})[where] = count / 1e6 / seconds
+        sums.add(float(tracer.distances(packed).sum()))
+    assert max(sums) - min(sums) < 1e-6 * max(sums), sums
+    return {"triangles": len(faces), "mpoints": found}
 
 
 if __name__ == "__main__":
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    made = {"rates": rates, "arrays": arrays, "answer": answer}[sys.argv[1]](*sys.argv[2:])
+    made = {"rates": rates, "arrays": arrays, "answer": answer, "peak": peak, "closest": closest}[sys.argv[1]](*sys.argv[2:])
     print(json.dumps(made, indent=1))

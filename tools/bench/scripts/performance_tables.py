@@ -272,9 +272,20 @@ def tables(results):
             rows.append([f"{found['triangles']:,}, " + (machine["device"] if device == "cuda" else f"{machine['cores']} cores"),
                          *(cells.get(name, "-") for name in ("Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median",
                                                            "cuBQL, SAH")),
-                         ", ".join(f"{of:.0f}" for of in taken.values()) if taken else "-"])
+                         ", ".join(f"{of:.0f}" for of in taken.values())])
         return table(["triangles, on", "Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median", "cuBQL, SAH",
-                      "bytes a triangle: held, at most; if it builds"], rows)
+                      "bytes a triangle"], rows)
+
+    def closest():
+        columns = ("cuda", "Masu"), ("cpu", "Masu"), ("cpu", "Open3D")
+        cells, sizes = {}, {}
+        for key, run in runs["closest"].items():
+            device, _, size = key.partition(".")
+            sizes[size] = f"{run['output']['triangles']:,}"
+            for name, rates in run["output"]["mpoints"].items():
+                cells[size, device, name] = ", ".join(f"{rate:.3g}" for rate in rates.values())
+        return table(["triangles", machine.get("device", "GPU"), f"{machine['cores']} cores", f"Open3D, {machine['cores']} cores"],
+                     [[triangles, *(cells.get((size, *column), "-") for column in columns)] for size, triangles in sizes.items()])
 
     def scale():
         tools = {"nff2bin": "nff2bin, from a pipe", "irregular": "gridbuild --merge irregular",
@@ -301,7 +312,7 @@ def tables(results):
                 for (work, n), times in sorted(whole.items(), reverse=True)]
         return table(["work", "GPUs" if cuda else "threads", "s", "speed-up"], rows)
 
-    makers = readme, views, choice, cells, hierarchies, peers, load, builds, embree, library, arrays, answer, scale, gpus
+    makers = readme, views, choice, cells, hierarchies, peers, load, builds, embree, library, arrays, answer, closest, scale, gpus
     return {"head": head(results), **made_by(makers)}
 
 
