@@ -10,8 +10,10 @@
 namespace masu {
 namespace {
 
-// Of a staging buffer, or copied by a thread: smaller parts take longer to queue than to copy.
-constexpr std::size_t part_bytes = std::size_t{1} << 18;
+// Of a staging buffer, or copied by a thread: smaller parts take longer to queue than to copy. Where there is
+// much to copy, larger ones make up for the time it takes to lock their pages.
+constexpr std::size_t part_bytes = std::size_t{1} << 18, large_part_bytes = std::size_t{1} << 20,
+                      min_bytes_for_large = std::size_t{256} << 20;
 constexpr int copy_threads = 4; // about enough to saturate the bus
 constexpr std::size_t min_pinned_bytes = std::size_t{8}
                                          << 20; // less isn't worth allocating page-locked memory
@@ -35,7 +37,7 @@ public:
   template <class Copy>
   void upload(const Upload& part, const StreamMemory& memory, const Copy& copy) {
     if (part.place == nullptr) return copy(part.to);
-    if (room_.size() == 0) room_ = DeviceArray<std::uint8_t>(part_bytes, memory);
+    if (room_.size() < part.bytes) room_ = DeviceArray<std::uint8_t>(part.bytes, memory);
     copy(room_.data());
     part.place(room_.data(), part.offset, part.bytes, memory.stream);
   }
@@ -48,11 +50,11 @@ private:
 // transferred while the other is filled.
 class StagingBuffers {
 public:
-  static constexpr std::size_t of_thread = 2 * part_bytes; // bytes
-  StagingBuffers(std::span<std::uint8_t> memory, cudaMemPool_t pool) : pool_(pool) {
-    stagings_[0].buffer = memory.first(part_bytes);
-    stagings_[1].buffer = memory.last(part_bytes);
+  StagingBuffers(std::span<std::uint8_t> memory, cudaMemPool_t pool) : part_(memory.size() / 2), pool_(pool) {
+    stagings_[0].buffer = memory.first(part_);
+    stagings_[1].buffer = memory.last(part_);
   }
+  std::size_t part() const { return part_; } // in bytes, at most
 
   void upload(const Upload& part, const Fill& fill) {
     Staging& staging = stagings_[next_];
@@ -79,19 +81,20 @@ private:
     ~Staging() { static_cast<void>(cudaStreamSynchronize(stream)); }
   };
   Staging stagings_[2];
+  std::size_t part_;
   cudaMemPool_t pool_;
   int next_ = 0;
 };
 
 // All at once: to lock few pages takes as long as many.
 struct StagingOfThreads {
-  PinnedBuffer memory{copy_threads * StagingBuffers::of_thread};
+  PinnedBuffer memory;
   std::vector<std::unique_ptr<StagingBuffers>> of_threads; // by their places in an arena
 
-  explicit StagingOfThreads(cudaMemPool_t pool) {
+  StagingOfThreads(std::size_t of_part, cudaMemPool_t pool) : memory(copy_threads * 2 * of_part) {
     for (std::size_t i = 0; i < copy_threads; ++i)
-      of_threads.push_back(std::make_unique<StagingBuffers>(
-          memory.bytes().subspan(i * StagingBuffers::of_thread, StagingBuffers::of_thread), pool));
+      of_threads.push_back(
+          std::make_unique<StagingBuffers>(memory.bytes().subspan(2 * i * of_part, 2 * of_part), pool));
   }
 };
 
@@ -101,6 +104,7 @@ namespace {
 class PlainBuffer {
 public:
   explicit PlainBuffer(cudaMemPool_t pool) : pool_(pool) {}
+  static constexpr std::size_t part() { return part_bytes; }
 
   void upload(const Upload& part, const Fill& fill) {
     buffer_.resize(part.bytes);
@@ -144,15 +148,16 @@ void Transfer::run() {
   const auto make = [](const Piece& piece, auto& buffers) {
     const Copy& copy = *piece.copy;
     if (copy.section != nullptr) {
-      copy.section->read_piece(piece.i, part_bytes,
+      copy.section->read_piece(piece.i, buffers.part(),
                                [&](std::uint64_t offset, std::size_t bytes, const Fill& fill) {
                                  buffers.upload({moved_by(copy.to, offset), offset, bytes, copy.place}, fill);
                                });
       return;
     }
     const std::uint64_t end = std::min<std::uint64_t>((piece.i + 1) * SectionReader::piece_bytes, copy.bytes);
-    for (std::uint64_t offset = piece.i * SectionReader::piece_bytes; offset < end; offset += part_bytes) {
-      const std::size_t bytes = std::min<std::uint64_t>(part_bytes, end - offset);
+    for (std::uint64_t offset = piece.i * SectionReader::piece_bytes; offset < end;
+         offset += buffers.part()) {
+      const std::size_t bytes = std::min<std::uint64_t>(buffers.part(), end - offset);
       if (copy.direction == cudaMemcpyDeviceToHost)
         buffers.download(moved_by(copy.to, offset), moved_by(copy.from, offset), bytes);
       else
@@ -168,7 +173,9 @@ void Transfer::run() {
     for (const Piece& piece : pieces)
       make(piece, buffer);
   } else {
-    if (staging_ == nullptr) staging_ = std::make_shared<StagingOfThreads>(pool_);
+    if (staging_ == nullptr)
+      staging_ = std::make_shared<StagingOfThreads>(
+          total < min_bytes_for_large ? part_bytes : large_part_bytes, pool_);
     const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     tbb::task_arena arena(std::min(copy_threads, static_cast<int>(allowed)));
     arena.execute([&] {

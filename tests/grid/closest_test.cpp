@@ -26,7 +26,7 @@ TYPED_TEST(ClosestPoints, AreThoseOfTryingEveryPrimitive) {
   Chance& chance = this->chance_;
   std::size_t found = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
+    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-30, 36)).scene();
     if (scene.count() == 0) continue;
     const SceneView<Real> view = scene.view();
     const Structure grid = random_grid(chance, view, scene.bounds()),
