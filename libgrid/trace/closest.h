@@ -94,15 +94,22 @@ MASU_HD constexpr bool show_item(const Hierarchy&, std::uint32_t, Search&) {
   return false;
 }
 
-// Begins to fetch what is shown soon: on the host triangles lie in their own order, anywhere.
+// Begins to fetch what is likely to be visited next: on the host nodes and triangles lie anywhere.
 template <class Hierarchy, class Search>
-MASU_HD constexpr void prefetch_shown(const Hierarchy&, std::uint32_t, const Search&) {}
+MASU_HD constexpr void prefetch_likely(const Hierarchy&, const HierarchyNode&, const SlotsByDistance&,
+                                       const Search&) {}
+#ifdef MASU_HOST_AVX2
 template <class Real, class Stored>
-inline void prefetch_shown(const HierarchyView<Real>& hierarchy, std::uint32_t reference,
-                           const ClosestSearch<Stored>& search) {
-  const PrimitiveIndex primitive = hierarchy.references[reference];
-  if (primitive < search.scene.triangle_count) prefetch(search.scene.triangles + primitive);
+inline void prefetch_likely(const HierarchyView<Real>& hierarchy, const HierarchyNode& node,
+                            const SlotsByDistance& slots, const ClosestSearch<Stored>& search) {
+  const std::uint32_t slot = slots.likely(), held = slot_byte(node.slots, static_cast<int>(slot)),
+                      nodes = node_slots(node);
+  if ((nodes >> slot & 1) != 0) return prefetch(hierarchy.nodes + node_in(node.first_node, nodes, slot));
+  const PrimitiveIndex* const first = hierarchy.references + node.first_reference + references_begin(held);
+  for (std::uint32_t i = 0; i < references_in(held); ++i)
+    if (first[i] < search.scene.triangle_count) prefetch(search.scene.triangles + first[i]);
 }
+#endif
 
 // Depth first from a node on, of each node the nearest boxes first; by whatever has `place`, `farthest`, and
 // what references are shown to (hierarchy_walk.h). A level takes two numbers: a device keeps all levels for
@@ -124,11 +131,10 @@ MASU_HD inline void search(const Hierarchy& hierarchy, Search& search, std::uint
       --depth;
       continue;
     }
+    prefetch_likely(hierarchy, node, level.slots, search);
     const std::uint32_t held = slot_byte(node.slots, static_cast<int>(slot)), nodes = node_slots(node);
     if ((nodes >> slot & 1) == 0) {
       const std::uint32_t begin = node.first_reference + references_begin(held);
-      for (std::uint32_t i = begin; i < begin + references_in(held); ++i)
-        prefetch_shown(hierarchy, i, search);
       for (std::uint32_t i = begin; i < begin + references_in(held); ++i)
         show(hierarchy, i, search);
     } else if (depth + 1 < max_hierarchy_depth) { // always, but while a mapped file changes

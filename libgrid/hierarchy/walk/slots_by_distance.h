@@ -50,6 +50,10 @@ public:
     keys_ = _mm_packus_epi32(_mm256_castsi256_si128(both), _mm256_extracti128_si256(both, 1)) |
             _mm_cvtepi8_epi16(_mm_cmpeq_epi8(load(node.slots), _mm_setzero_si128()));
   }
+  // Which is likely to be taken next; any where there is none.
+  std::uint32_t likely() const {
+    return static_cast<std::uint32_t>(_mm_extract_epi16(_mm_minpos_epu16(keys_), 1));
+  }
   // Takes the next one that isn't farther.
   bool next(const HierarchyNode&, const Vec3d&, double farthest, std::uint32_t& slot) {
     for (;;) {
