@@ -225,7 +225,7 @@ public:
   MountainClipper(const Ring& ring, std::vector<std::array<Vertex, 3>>& triangles)
       : ring_(ring), triangles_(triangles), previous_(ring.size()), next_(ring.size()) {}
 
-  // Cuts off the convex vertex with the best shape first, as EarClipper does. False where none is left.
+  // Cuts off the convex vertex with the best shape first, as ear clipping does. False where none is left.
   bool clip(const std::vector<Vertex>& piece) {
     if (piece.size() == 3) return emit(piece[0], piece[1], piece[2]);
     const auto before = [&](Vertex a, Vertex b) { return ring_.is_before(a, b); };

@@ -104,21 +104,19 @@ void drop_slivers(std::span<const Vec3d> polygon, Triangulation& result) {
   });
 }
 
-// Where ear clipping takes too long: by the sweep, whose triangles are longer but which is never slow. If it
-// can't, ear clipping goes on; not testing ears any more where no result could be right.
-void finish(std::span<const Vec3d> polygon, std::span<const Point2> points,
-            std::span<const std::uint32_t> ring, EarClipper& clipper, Triangulation& result) {
+// Where ear clipping takes too long: by the sweep, whose triangles are longer but which is never slow. False
+// where it can't.
+bool is_swept(std::span<const Vec3d> polygon, std::span<const Point2> points,
+              std::span<const std::uint32_t> ring, Triangulation& result) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const SweepOutcome outcome = triangulate_by_sweep(points, ring, triangles);
   const auto is_good = [&](const std::array<std::uint32_t, 3>& t) {
     return has_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
   };
-  if (outcome == SweepOutcome::triangulated && std::ranges::all_of(triangles, is_good)) {
-    result = {std::move(triangles), 0, false};
-    return;
-  }
   if (outcome == SweepOutcome::crosses) result.crosses_itself = true;
-  clipper.run(result, result.crosses_itself ? EarClipper::Effort::untested : EarClipper::Effort::unlimited);
+  if (outcome != SweepOutcome::triangulated || !std::ranges::all_of(triangles, is_good)) return false;
+  result = {std::move(triangles), 0, false};
+  return true;
 }
 
 } // namespace
@@ -139,8 +137,8 @@ void triangulate(std::span<const Vec3d> polygon, Triangulation& result) {
   const std::vector<std::uint32_t> ring = distinct_ring(polygon);
   if (normal == Vec3d{0, 0, 0} || ring.size() < 3) return;
   const std::vector<Point2> points = project(polygon, scale, normal);
-  EarClipper clipper(points, ring);
-  if (!clipper.run(result, EarClipper::Effort::limited)) finish(polygon, points, ring, clipper, result);
+  clip_ears(
+      points, ring, [&] { return is_swept(polygon, points, ring, result); }, result);
   drop_slivers(polygon, result);
 }
 
