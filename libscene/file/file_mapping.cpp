@@ -1,7 +1,6 @@
 #include "libscene/file/file_mapping.h"
 
 #include "libscene/base/error.h"
-#include "libscene/file/mapping_faults.h"
 #include "libscene/file/temporary_name.h"
 
 #include <sys/mman.h>

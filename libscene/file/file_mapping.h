@@ -3,13 +3,14 @@
 // A mapped file that another process truncates or overwrites changes under its reader's eyes: pages that are
 // gone end the process by SIGBUS, and an index that was checked may lead anywhere when it is read again. So
 // mapped files are for programs that take that on themselves: results of a file that has changed meanwhile
-// are thrown away (InputFile::check_unchanged), and faults end the program with a line (mapping_faults.h).
+// are thrown away (InputFile::check_unchanged), and faults end the program with a line (MappingFaults).
 #pragma once
 
 #include "libscene/file/input_file.h"
 
 #include <cstdint>
 #include <span>
+#include <thread>
 
 namespace masu {
 
@@ -31,6 +32,22 @@ public:
 private:
   const std::uint8_t* begin_ = nullptr;
   std::size_t size_ = 0;
+};
+
+// For a program's main: while it lives, a fault (SIGBUS, SIGSEGV) while a mapped file has changed or can't be
+// read ends the program with the line `tool: path: …` and exit code 2, and so does a change that nobody has
+// noticed for a while, for a walk through changed indices need not end. Nothing is left of files that were
+// being written. Other faults end the program as by default.
+class MappingFaults {
+public:
+  // `tool` must outlive it.
+  explicit MappingFaults(const char* tool);
+  ~MappingFaults();
+  MappingFaults(const MappingFaults&) = delete;
+  MappingFaults& operator=(const MappingFaults&) = delete;
+
+private:
+  std::jthread watch_;
 };
 
 } // namespace masu

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/file/structure_file.h"
-#include "libscene/file/mapping_faults.h"
+#include "libscene/file/file_mapping.h"
 #include "renderer/tracer/tracer.h"
 #include "tools/common/tracing_options.h"
 #include "tools/jobs/gpus.h"
