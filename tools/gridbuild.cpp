@@ -8,12 +8,9 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
+#include "tools/common/json.h"
 #include "tools/common/print.h"
-#include "tools/common/printable.h"
 #include "tools/common/progress.h"
-#include "tools/common/provenance.h"
-
-#include <nlohmann/json.hpp>
 
 #include <optional>
 #include <utility>

@@ -4,16 +4,13 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
+#include "tools/common/json.h"
 #include "tools/common/print.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
 #include "tools/draw/slice_picture.h"
 #include "tools/report/cell_export.h"
 #include "tools/report/slice_json.h"
 #include "tools/report/slice_place.h"
 #include "tools/report/structure_report.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +97,9 @@ void print_occupancy(const Settings& settings, const SceneView<Stored>& scene, B
                     {"half_open_box", occupied(occupied_half_open(scene, layout))},
                     {"box", occupied(occupied_voxels(scene, layout, Overlap::box))},
                     {"exact", occupied(occupied_voxels(scene, layout, Overlap::exact))}});
+    rows.back().update(program_version());
   }
-  if (settings.json) return fmt::print("{}\n", json_text(with_version(rows)));
+  if (settings.json) return fmt::print("{}\n", json_text(rows));
   fmt::print(
       "{} primitives in a {} space: occupied voxels, by overlap test\n\n{:>8} {:>13} {:>18} {:>18} {:>18}\n",
       grouped(scene.primitive_count()), settings.space == SpaceRule::cube ? "cubic" : "tight", "division",

@@ -2,10 +2,9 @@
 // ray.
 #include "libscene/file/output_file.h"
 #include "renderer/rays/walk_report.h"
+#include "tools/common/json.h"
 #include "tools/common/number_list.h"
-#include "tools/common/printable.h"
 #include "tools/common/progress.h"
-#include "tools/common/provenance.h"
 #include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/lists/ray_list.h"

@@ -1,9 +1,9 @@
 // mesh2bin: converts a mesh to a scene file.
 #include "libscene/base/available_memory.h"
+#include "libscene/base/printable.h"
 #include "libscene/file/output_file.h"
 #include "libscene/mesh/import/import.h"
 #include "tools/common/child_process.h"
-#include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/report/scene_report.h"
 

@@ -1,10 +1,8 @@
 // What tools print of names and strings that come from outside.
+#include "tools/common/json.h"
 #include "tools/common/print.h"
-#include "tools/common/printable.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include <string>
 
 namespace masu {

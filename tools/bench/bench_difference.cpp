@@ -4,12 +4,10 @@
 #include "tools/bench/bench.h"
 #include "tools/bench/picture_file.h"
 #include "tools/common/cli.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
+#include "tools/common/json.h"
 #include "tools/common/version.h"
 #include "tools/draw/value_picture.h"
 
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>

@@ -2,11 +2,8 @@
 #pragma once
 
 #include "tools/common/backend.h"
+#include "tools/common/json.h"
 #include "tools/common/print.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
-
-#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <set>
@@ -18,7 +15,7 @@ namespace masu {
 // What a subcommand has to say: a table, line by line as it is measured, or JSON, when all is.
 struct Output {
   bool as_json = false;
-  nlohmann::ordered_json json = nlohmann::ordered_json::array(); // rows, or one object
+  nlohmann::ordered_json json = nlohmann::ordered_json::array(); // rows
   std::string device{};                                          // that was measured
   std::string why_no_gpu{};                                      // backend.h
 
@@ -38,7 +35,11 @@ struct Output {
   }
   void print_json() const {
     if (!as_json) return;
-    fmt::print("{}\n", json_text(with_provenance(json, device)));
+    nlohmann::ordered_json rows = json, origin = provenance();
+    origin["device"] = device;
+    for (auto& row : rows)
+      row.update(origin);
+    fmt::print("{}\n", json_text(rows));
     flush_standard_output(); // what can't be written is the one line of error, before any note
   }
 };

@@ -1,10 +1,10 @@
 #include "tools/common/cli.h"
 
+#include "libscene/base/printable.h"
 #include "libscene/base/processor.h"
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/file/temporary_name.h"
-#include "tools/common/printable.h"
 #include "tools/common/version.h"
 
 #include <fcntl.h>

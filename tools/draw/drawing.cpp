@@ -1,9 +1,9 @@
 #include "tools/draw/drawing.h"
 
 #include "libscene/base/error.h"
+#include "libscene/base/printable.h"
 #include "libscene/file/output_file.h"
 #include "tools/common/print.h"
-#include "tools/common/printable.h"
 #include "tools/draw/axis_ticks.h"
 
 #include <cairo-svg.h>

@@ -3,9 +3,8 @@
 #include "libscene/file/input_file.h"
 #include "libscene/file/output_file.h"
 #include "tools/common/cli.h"
+#include "tools/common/json.h"
 #include "tools/common/print.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
 #include "tools/report/counts_report.h"
 
 #include <sched.h>

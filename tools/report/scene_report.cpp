@@ -2,13 +2,9 @@
 
 #include "libscene/file/output_file.h"
 #include "libscene/geometry/margin.h"
+#include "tools/common/json.h"
 #include "tools/common/number_list.h"
 #include "tools/common/print.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
-#include "tools/common/vector_json.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

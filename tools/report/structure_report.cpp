@@ -4,10 +4,8 @@
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
+#include "tools/common/json.h"
 #include "tools/common/print.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
-#include "tools/common/vector_json.h"
 
 #include <fmt/ranges.h>
 

@@ -1,6 +1,6 @@
 #include "tools/report/walk_text.h"
 
-#include "tools/common/vector_json.h"
+#include "tools/common/json.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "libscene/base/error.h"
 #include "page_files.h"
-#include "tools/common/printable.h"
+#include "tools/common/json.h"
 
 #include <fmt/format.h>
 

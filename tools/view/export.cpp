@@ -4,9 +4,7 @@
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
 #include "page_files.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
-#include "tools/common/vector_json.h"
+#include "tools/common/json.h"
 
 #include <fmt/format.h>
 #include <zlib.h>

@@ -1,11 +1,11 @@
 #include "tools/view/viewed_files.h"
 
 #include "libgrid/structure/chosen_structure.h"
+#include "libscene/base/printable.h"
 #include "libscene/file/input_file.h"
 #include "libscene/mesh/files/mesh_scene.h"
 #include "libscene/nff/nff.h"
 #include "libscene/spd/spd.h"
-#include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/report/scene_report.h"
 

@@ -1,11 +1,32 @@
-#include "tools/common/printable.h"
+#include "tools/common/json.h"
+
+#include "tools/common/version.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fstream>
+#include <utility>
 
 namespace masu {
+
+std::vector<std::string> command_line() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary); // each ends with a zero
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');)
+    words.push_back(std::move(word));
+  return words;
+}
+
+nlohmann::ordered_json program_version() {
+  return {{"version", version}, {"commit", commit}};
+}
+
+nlohmann::ordered_json provenance() {
+  nlohmann::ordered_json origin = program_version();
+  origin["command"] = command_line();
+  return origin;
+}
 
 std::string json_text(const nlohmann::ordered_json& value, int indent) {
   const std::string text = value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

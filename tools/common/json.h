@@ -1,0 +1,36 @@
+// JSON that tools write: of points and boxes, with what it says of the program that wrote it, as text.
+#pragma once
+
+#include "libscene/base/printable.h"
+#include "libscene/geometry/vector.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// [x, y, z]
+template <class T>
+void to_json(nlohmann::ordered_json& json, const Vec3<T>& v) {
+  json = {v.x, v.y, v.z};
+}
+
+// {"min", "max"}
+template <class T>
+void to_json(nlohmann::ordered_json& json, const Box<T>& box) {
+  json = {{"min", box.min}, {"max", box.max}};
+}
+
+// The program's name and arguments.
+std::vector<std::string> command_line();
+
+nlohmann::ordered_json program_version(); // {version, commit}
+nlohmann::ordered_json provenance();      // {version, commit, command}
+
+// JSON text of strings that can hold any bytes: what isn't UTF-8 becomes U+FFFD, and control characters are
+// escaped, those from U+007F to U+009F too. Compiled once, for the code that prints JSON is long.
+std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
+
+} // namespace masu
