@@ -82,14 +82,14 @@ StructureFile::StructureFile(ContainerFile container) : TableFile(std::move(cont
   check(is_divisible(box_of(*table_->space())), "its space is impossible");
   check(is_finite(origin()) && largest_magnitude(origin()) <= max_origin, "its origin is invalid");
   check(table_->block_log2() <= 5, "its blocks are impossible");
-  container_.read_sections(sections());
+  read_sections(sections());
   records_ = records_of_sections();
   check_sizes();
-  if (container_.has_records_to_check()) {
+  if (has_records_to_check()) {
     const char* const fault = fault_of(HostChecker{}, records());
     check(fault == nullptr, fault);
   }
-  container_.set_validated();
+  set_validated();
 }
 
 void StructureFile::check_sizes() const {

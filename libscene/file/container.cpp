@@ -241,7 +241,7 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind, Resi
   std::copy(head_bytes.begin(), head_bytes.end(), head_.begin());
   const auto rest = std::span(head_).subspan(sizeof head);
   file_->read(sizeof head, rest);
-  if (content_hash(head, table()) != head.hash || !all_zero(rest.subspan(head.table_bytes))) {
+  if (content_hash(head, table_bytes()) != head.hash || !all_zero(rest.subspan(head.table_bytes))) {
     file_->check_unchanged();
     throw_damaged(path, fmt::format("the {} file's table is damaged (its hash is wrong)", kind.name));
   }
@@ -299,9 +299,6 @@ Hash ContainerFile::read_section(const fb::Section& section) {
 
 void ContainerFile::read_sections(std::span<const fb::Section> sections) {
   if (!file_) return; // they are there
-  const auto check = [&](bool good, const char* what) {
-    if (!good) throw_damaged(path(), what);
-  };
   const std::uint64_t body_bytes = prelude().body_bytes;
   std::array<std::uint8_t, section_alignment> gap{};
   std::uint64_t end = 0;
@@ -339,8 +336,7 @@ const fb::Section* ContainerFile::section_of(std::span<const fb::Section> sectio
                                              std::size_t record_bytes) const {
   for (const fb::Section& section : sections) {
     if (section.kind() != kind) continue;
-    if (section.record_bytes() != record_bytes)
-      throw_damaged(path(), "a section's records have the wrong size");
+    check(section.record_bytes() == record_bytes, "a section's records have the wrong size");
     return &section;
   }
   return nullptr;

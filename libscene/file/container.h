@@ -163,8 +163,7 @@ private:
   std::vector<Hash> hashes_; // of the pieces
 };
 
-// A container whose prelude and table's hash have been checked. The caller must verify the table
-// (FlatBuffers), then call read_sections.
+// A container whose prelude and table's hash have been checked: what scene and grid files are made of.
 class ContainerFile {
 public:
   // Reads the prelude and the table. Throws Error(input, path, …).
@@ -173,47 +172,11 @@ public:
   // messages.
   ContainerFile(ContainerMemory memory, const char* name);
 
-  std::span<const std::uint8_t> table() const {
-    return std::span(head_).subspan(sizeof(Prelude), prelude().table_bytes);
-  }
   const Hash& hash() const { return prelude().hash; }
   const std::string& path() const { return path_; }
   std::uint64_t bytes() const { return prelude().body_offset + prelude().body_bytes; }
   Residence residence() const { return residence_; }
-  // Whether its records are in memory, and anybody could have written them.
-  bool has_records_to_check() const { return file_.has_value() && residence_ != Residence::file; }
   const LoadSeconds& load_seconds() const { return seconds_; }
-
-  // Checks the sections' order, bounds and alignment and what is between them; then, unless they stay in the
-  // file, brings them where they are wanted and checks their hashes (in parallel, while they are read).
-  // Throws Error(input).
-  void read_sections(std::span<const fb::Section> sections);
-
-  // How many records the section of this kind has; 0 when there is none. Call after read_sections. Throws
-  // Error(input) when its record size isn't T's.
-  template <class T>
-  std::uint64_t count(std::span<const fb::Section> sections, std::uint32_t kind) const {
-    const fb::Section* const section = section_of(sections, kind, sizeof(T));
-    return section != nullptr ? section->count() : 0;
-  }
-  // The records themselves; empty where they stay in the file.
-  template <class T>
-  std::span<const T> records(std::span<const fb::Section> sections, std::uint32_t kind) const {
-    const fb::Section* const section = section_of(sections, kind, sizeof(T));
-    if (section == nullptr || body_.empty()) return {};
-    return {reinterpret_cast<const T*>(bytes_of(*section).data()), section->count()};
-  }
-  // A section's bytes, where they aren't still in the file.
-  std::span<const std::uint8_t> bytes_of(const fb::Section& section) const {
-    return body_.subspan(section.offset(), section.count() * section.record_bytes());
-  }
-  // For a copy of the records that stay in the file, where there are any.
-  template <class T>
-  SectionReader reader(std::span<const fb::Section> sections, std::uint32_t kind) const {
-    return {*file_, prelude().body_offset, *section_of(sections, kind, sizeof(T))};
-  }
-  // When all is checked.
-  void set_validated() { seconds_.validate = watch_.seconds() - seconds_.map; }
   // Throws Error(input, path, …) where the sections are mapped and the file was written since it was opened.
   void check_unchanged() const {
     if (residence_ == Residence::mapping) file_->check_unchanged();
@@ -222,12 +185,39 @@ public:
   // Error(output).
   void write(const std::string& path) const;
 
+protected:
+  std::span<const std::uint8_t> table_bytes() const {
+    return std::span(head_).subspan(sizeof(Prelude), prelude().table_bytes);
+  }
+  // Throws Error(input, path, "<what>: make the file again") unless it is good.
+  void check(bool good, const char* what) const {
+    if (!good) throw_damaged(path_, what);
+  }
+  // Whether its records are in memory, and anybody could have written them.
+  bool has_records_to_check() const { return file_.has_value() && residence_ != Residence::file; }
+  // Checks the sections' order, bounds and alignment and what is between them; then, unless they stay in the
+  // file, brings them where they are wanted and checks their hashes (in parallel, while they are read).
+  // Throws Error(input).
+  void read_sections(std::span<const fb::Section> sections);
+  // When all is checked.
+  void set_validated() { seconds_.validate = watch_.seconds() - seconds_.map; }
+
+  // The section of this kind; null where there is none. Throws Error(input) when its record size is another.
+  const fb::Section* section_of(std::span<const fb::Section> sections, std::uint32_t kind,
+                                std::size_t record_bytes) const;
+  // A section's bytes; none where they stay in the file.
+  std::span<const std::uint8_t> bytes_of(const fb::Section& section) const {
+    return body_.empty() ? body_ : body_.subspan(section.offset(), section.count() * section.record_bytes());
+  }
+  // For a copy of a section that stays in the file.
+  SectionReader reader_of(const fb::Section& section) const {
+    return {*file_, prelude().body_offset, section};
+  }
+
 private:
   const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(head_.data()); }
   // Has a section where it is wanted; returns its hash.
   Hash read_section(const fb::Section& section);
-  const fb::Section* section_of(std::span<const fb::Section> sections, std::uint32_t kind,
-                                std::size_t record_bytes) const;
 
   Stopwatch watch_; // since it was opened
   LoadSeconds seconds_;
@@ -240,31 +230,20 @@ private:
   std::span<const std::uint8_t> body_; // of either
 };
 
-// What scene and grid files have in common: a container with a verified table, whose sections are of the
-// kinds of an enumeration.
+// A container with a verified table, whose sections are of the kinds of an enumeration.
 template <class Table, class Kind>
-class TableFile {
+class TableFile : public ContainerFile {
 public:
-  // Writes a file of the same bytes.
-  void write(const std::string& path) const { container_.write(path); }
-  // Throws Error(input, path, …) where it is mapped and the file was written since it was opened.
-  void check_unchanged() const { container_.check_unchanged(); }
-
   const Table& table() const { return *table_; }
-  const Hash& hash() const { return container_.hash(); }
-  const std::string& path() const { return container_.path(); }
-  std::uint64_t bytes() const { return container_.bytes(); }
-  Residence residence() const { return container_.residence(); }
-  const LoadSeconds& load_seconds() const { return container_.load_seconds(); }
   // Of records that stay in the file, which there must be.
   template <class T>
   SectionReader reader(Kind kind) const {
-    return container_.reader<T>(sections(), static_cast<std::uint32_t>(kind));
+    return reader_of(*section<T>(kind));
   }
 
 protected:
-  explicit TableFile(ContainerFile container) : container_(std::move(container)) {
-    const auto bytes = container_.table();
+  explicit TableFile(ContainerFile container) : ContainerFile(std::move(container)) {
+    const auto bytes = table_bytes();
     flatbuffers::Verifier verifier(bytes.data(), bytes.size());
     check(verifier.VerifyBuffer<Table>(nullptr), "its table is damaged");
     table_ = flatbuffers::GetRoot<Table>(bytes.data());
@@ -273,24 +252,31 @@ protected:
           "its table is damaged");
   }
 
-  void check(bool good, const char* what) const {
-    if (!good) throw_damaged(path(), what);
-  }
   std::span<const fb::Section> sections() const {
     const auto* const list = table_->sections();
     return {reinterpret_cast<const fb::Section*>(list->Data()), list->size()};
   }
+  // How many records of a kind there are; and the records, none where they stay in the file. Throw
+  // Error(input) when a record's size isn't T's.
   template <class T>
   std::uint64_t count(Kind kind) const {
-    return container_.count<T>(sections(), static_cast<std::uint32_t>(kind));
+    const fb::Section* const found = section<T>(kind);
+    return found != nullptr ? found->count() : 0;
   }
   template <class T>
   std::span<const T> records(Kind kind) const {
-    return container_.records<T>(sections(), static_cast<std::uint32_t>(kind));
+    const fb::Section* const found = section<T>(kind);
+    if (found == nullptr || bytes_of(*found).empty()) return {};
+    return {reinterpret_cast<const T*>(bytes_of(*found).data()), found->count()};
   }
 
-  ContainerFile container_;
   const Table* table_;
+
+private:
+  template <class T>
+  const fb::Section* section(Kind kind) const {
+    return section_of(sections(), static_cast<std::uint32_t>(kind), sizeof(T));
+  }
 };
 
 } // namespace masu

@@ -271,7 +271,7 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
         "its camera is invalid");
   check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
         "its bounds are invalid");
-  container_.read_sections(sections());
+  read_sections(sections());
   geometry_hash_ = masu::geometry_hash(sections(), *table_->bounds(), *table_->origin());
 
   const fb::ObjectCounts& counted = *table_->objects();
@@ -285,11 +285,11 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
     view_ = view_of_sections<float>();
   with_view([&]<class Stored>(const SceneView<Stored>& view) {
     const Lighting<Stored> lit = lighting<Stored>();
-    if (!container_.has_records_to_check()) return;
+    if (!has_records_to_check()) return;
     const char* const fault = fault_of(HostChecker{}, view, lit, bounds(), counts());
     check(fault == nullptr, fault);
   });
-  container_.set_validated();
+  set_validated();
 }
 
 SceneCounts SceneFile::counts() const {
@@ -329,7 +329,7 @@ SceneFile SceneFile::with_triangles(std::span<const Triangle<Stored>> triangles,
   for (const fb::Section& section : sections()) {
     const void* const records = section.kind() == number(fb::SceneSection::triangles)
                                     ? static_cast<const void*>(triangles.data())
-                                    : container_.bytes_of(section).data();
+                                    : bytes_of(section).data();
     data.push_back({section.kind(), section.record_bytes(), section.count(), records, {}});
   }
   return SceneFile(ContainerFile(
