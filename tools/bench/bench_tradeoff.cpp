@@ -152,11 +152,10 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
     to_do += grid.configurations.size();
   }
   if (to_do == 0) return;
-  TradeoffTask task(scene, setup);
   Progress progress(name.c_str());
+  const TradeoffTask task(scene, setup);
   double done = 0;
   const auto step = [&] { progress(++done / static_cast<double>(to_do + 1)); };
-  task.reference(); // brute force
   step();
   for (const GridPlan& plan_of_grid : plan) {
     if (plan_of_grid.configurations.empty()) continue;

@@ -121,23 +121,16 @@ double mrays(std::size_t rays, double seconds) {
 TradeoffTask::TradeoffTask(const SceneFile& scene_, const TradeoffSetup& setup_)
     : scene(scene_), setup(setup_),
       primary(primary_rays(scene, resized(scene.camera(), setup.size), RayOrder::tiles)),
-      random(random_rays(scene, setup.random, setup.seed)), picture(resized(scene.camera(), setup.picture)) {}
-
-const TradeoffTask::Reference& TradeoffTask::reference() {
-  if (reference_) return *reference_;
-  Reference found;
-  add_some(primary, setup.compared, found.rays);
-  add_some(random, setup.compared, found.rays);
+      random(random_rays(scene, setup.random, setup.seed)), picture(resized(scene.camera(), setup.picture)) {
+  add_some(primary, setup.compared, reference.rays);
+  add_some(random, setup.compared, reference.rays);
   const TracingRules rules{Precision::doubled};
   const ResidentTracer tracer = tracer_of(*this, nullptr);
-  found.hits = trace(*this, tracer, rules, found.rays, RayLoop::thread_per_ray, 1).hits;
-  found.radiance = render(*this, tracer, rules, 1).radiance;
-  reference_ = std::move(found);
-  return *reference_;
+  reference.hits = trace(*this, tracer, rules, reference.rays, RayLoop::thread_per_ray, 1).hits;
+  reference.radiance = render(*this, tracer, rules, 1).radiance;
 }
 
-Measurement measure(TradeoffTask& task, const StructureFile& grid, const Configuration& configuration) {
-  const TradeoffTask::Reference& reference = task.reference();
+Measurement measure(const TradeoffTask& task, const StructureFile& grid, const Configuration& configuration) {
   const TracingRules rules{configuration.precision, configuration.stop};
   const std::uint64_t repeat = task.setup.repeat;
   const ResidentTracer tracer = tracer_of(task, &grid);
@@ -161,8 +154,8 @@ Measurement measure(TradeoffTask& task, const StructureFile& grid, const Configu
   std::vector<HitRecord> hits;
   add_some(primary.hits, task.setup.compared, hits);
   add_some(random.hits, task.setup.compared, hits);
-  compare_hits(reference, hits, SameHit(task.scene), measured.accuracy);
-  compare_pictures(reference.radiance, frame.radiance, measured.accuracy);
+  compare_hits(task.reference, hits, SameHit(task.scene), measured.accuracy);
+  compare_pictures(task.reference.radiance, frame.radiance, measured.accuracy);
   return measured;
 }
 

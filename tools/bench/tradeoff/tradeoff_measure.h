@@ -4,32 +4,25 @@
 
 #include "tools/bench/tradeoff/tradeoff.h"
 
-#include <optional>
-
 namespace masu {
 
 // The rays and the picture that every configuration of a scene traces, and the reference results.
 struct TradeoffTask {
+  // Traces the reference by brute force in double, which is slow. Both outlive it.
   TradeoffTask(const SceneFile& scene_, const TradeoffSetup& setup_);
 
   const SceneFile& scene;
   const TradeoffSetup& setup;
   std::vector<Ray<double>> primary, random;
   Camera picture;
-
-  // Results of brute force in double, computed (slowly) by the first call.
   struct Reference {
     std::vector<Ray<double>> rays; // evenly spaced in both sets
     std::vector<HitRecord> hits;   // by primitive
     HostArray<Vec3f> radiance;
-  };
-  const Reference& reference();
-
-private:
-  std::optional<Reference> reference_;
+  } reference;
 };
 
 // The grid is of the task's scene. Throws Error(device).
-Measurement measure(TradeoffTask& task, const StructureFile& grid, const Configuration& configuration);
+Measurement measure(const TradeoffTask& task, const StructureFile& grid, const Configuration& configuration);
 
 } // namespace masu
