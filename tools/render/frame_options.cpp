@@ -24,20 +24,17 @@ void FrameOptions::add_secondary(const CommandLine& command) {
                    "spawn the secondary rays that the SPD counts, even those of weight zero");
 }
 
-bool FrameOptions::changes_camera() const {
-  return !from.empty() || !at.empty() || !up.empty() || angle;
-}
-
 Camera FrameOptions::camera(const SceneFile& scene) const {
-  const auto vector = [](const char* option, const std::string& text) {
-    return text.empty() ? std::optional<Vec3d>() : parse_vector(option, text);
-  };
-  return changed(resized(scene.camera(), size),
-                 {vector("--from", from), vector("--at", at), vector("--up", up), angle, {}});
+  Camera camera = resized(scene.camera(), size);
+  if (!from.empty()) camera.from = parse_vector("--from", from);
+  if (!at.empty()) camera.at = parse_vector("--at", at);
+  if (!up.empty()) camera.up = parse_vector("--up", up);
+  camera.angle = angle.value_or(camera.angle);
+  return camera;
 }
 
 void FrameOptions::check(const Camera& camera, const SceneFile& scene) const {
-  if (!changes_camera()) return;
+  if (from.empty() && at.empty() && up.empty() && !angle) return; // the scene's
   if (const auto fault = fault_of(camera, camera_places(scene)))
     throw Error(ErrorCode::usage, std::string("--") + fault->part, fault->what);
 }

@@ -20,8 +20,6 @@ struct FrameOptions {
   void add_camera(const CommandLine& command);    // --size, --from, --at, --up, --angle
   void add_sampling(const CommandLine& command);  // --sampling, --hither
   void add_secondary(const CommandLine& command); // --depth, --spd-rules
-  // Whether options change the scene's camera.
-  bool changes_camera() const;
   // The scene's, changed; whether it can see isn't checked. Throws Error(usage).
   Camera camera(const SceneFile& scene) const;
   // Throws Error(usage, option, …) for a camera that was changed and can't see.

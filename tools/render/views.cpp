@@ -30,32 +30,35 @@ struct Line {
 
   [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorCode::input, place, message); }
 
-  std::optional<double> number(const char* key) const {
-    if (!json.contains(key)) return {};
+  // What the line leaves out stays.
+  void read(const char* key, double& number) const {
+    if (!json.contains(key)) return;
     if (!json[key].is_number()) fail(fmt::format("{} isn't a number", key));
-    return json[key].get<double>();
+    number = json[key].get<double>();
   }
 
-  std::optional<Vec3d> vector(const char* key) const {
-    if (!json.contains(key)) return {};
+  void read(const char* key, Vec3d& vector) const {
+    if (!json.contains(key)) return;
     const ViewJson& value = json[key];
     if (!value.is_array() || value.size() != 3 || !std::ranges::all_of(value, &ViewJson::is_number))
       fail(fmt::format("{} isn't [x, y, z]", key));
-    return Vec3d{value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+    vector = {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
   }
 
-  std::optional<Vec3i> size() const {
-    if (!json.contains("size")) return {};
+  void read_size(Camera& camera) const {
+    if (!json.contains("size")) return;
     const ViewJson& value = json["size"];
     const auto is_side = [](const ViewJson& side) {
       return side.is_number_integer() && side >= 1 && side <= largest_side;
     };
     if (!value.is_array() || value.size() != 2 || !std::ranges::all_of(value, is_side))
       fail(fmt::format("size isn't [width, height] with 1 to {} pixels each", largest_side));
-    return Vec3i{value[0].get<std::int32_t>(), value[1].get<std::int32_t>(), 0};
+    camera.width = value[0].get<std::int32_t>();
+    camera.height = value[1].get<std::int32_t>();
   }
 
-  std::optional<std::string> name() const {
+  // Empty where there is none.
+  std::string name() const {
     if (!json.contains("name")) return {};
     if (!json["name"].is_string()) fail("name isn't a string");
     auto name = json["name"].get<std::string>();
@@ -83,18 +86,6 @@ Line parsed(const std::string& text, std::string place) {
 }
 
 } // namespace
-
-Camera changed(Camera camera, const CameraChange& change) {
-  camera.from = change.from.value_or(camera.from);
-  camera.at = change.at.value_or(camera.at);
-  camera.up = change.up.value_or(camera.up);
-  camera.angle = change.angle.value_or(camera.angle);
-  if (change.size) {
-    camera.width = change.size->x;
-    camera.height = change.size->y;
-  }
-  return camera;
-}
 
 std::optional<CameraFault> fault_of(const Camera& camera, const Boxd& places) {
   constexpr double shortest = 1e-100, nearly_parallel = 1e-12;
@@ -155,11 +146,15 @@ std::vector<View> parse_views(const std::string& text, const std::string& name, 
   for (std::size_t number = 1; std::getline(in, content); ++number) {
     if (content.find_first_not_of(" \t\r") == std::string::npos) continue;
     const Line line = parsed(content, fmt::format("{}:{}", name, number));
-    const Camera camera = changed(
-        base, {line.vector("from"), line.vector("at"), line.vector("up"), line.number("angle"), line.size()});
+    Camera camera = base;
+    line.read("from", camera.from);
+    line.read("at", camera.at);
+    line.read("up", camera.up);
+    line.read("angle", camera.angle);
+    line.read_size(camera);
     if (const auto fault = fault_of(camera, places))
       line.fail(fmt::format("{} {}", fault->part, fault->what));
-    views.push_back({line.name().value_or(""), camera});
+    views.push_back({line.name(), camera});
     lines.push_back(line.place);
   }
   if (views.empty()) throw Error(ErrorCode::input, name, "has no view: give a JSON object per line");

@@ -12,15 +12,6 @@
 
 namespace masu {
 
-// What replaces parts of a camera.
-struct CameraChange {
-  std::optional<Vec3d> from, at, up;
-  std::optional<double> angle; // degrees
-  std::optional<Vec3i> size;   // pixels: x, y
-};
-
-Camera changed(Camera camera, const CameraChange& change);
-
 // Why a camera can't see. `part`: from, at, up or angle.
 struct CameraFault {
   const char* part;

@@ -13,6 +13,7 @@ namespace masu {
 namespace {
 
 constexpr std::int32_t most_pixels_across = 8192;
+constexpr std::size_t most_slice_cells = 200000, most_boxes = 8000;
 
 // Of a request. Every one is to be read: what is left over is unknown.
 class Parameters {
@@ -77,9 +78,9 @@ SharePlane plane_of(Parameters& parameters) {
 PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   PictureRequest request;
   request.grid = grid_of(viewer, parameters);
-  request.camera = camera_of(viewer, parameters);
-  request.depth = parameters.number<int>("depth", 1, largest_depth);
-  if (const std::string* const crop = parameters.find("crop")) request.crop = parse_crop("crop", *crop);
+  FrameRequest& frame = request.frame;
+  frame.camera = camera_of(viewer, parameters);
+  frame.rules.depth = parameters.number<int>("depth", 1, largest_depth);
   request.channel = parse_picture_channel(parameters.text("channel"));
   if (request.channel.is_cut) request.cut = plane_of(parameters);
   // moving: soon another one comes. still: the picture that gridrender makes.
@@ -87,7 +88,9 @@ PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   if (quality != "moving" && quality != "still")
     throw Error(ErrorCode::usage, "quality", "isn't moving or still");
   const bool still = quality == "still";
-  request.sampling = still && request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
+  frame.sampling = still && request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
+  if (const std::string* const crop = parameters.find("crop"))
+    frame.window = window_of(parse_crop("crop", *crop), frame.camera, frame.sampling, "crop");
   request.quality = still ? JpegQuality{95, true} : JpegQuality{80, false};
   return request;
 }
@@ -136,31 +139,32 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
     const auto row = parameters.number<std::int32_t>("y", 0, camera.height - 1);
     parameters.end();
     const auto [ray, precision] = viewer.camera_ray(camera, column, row);
-    const Vec3d &o = ray.origin, &d = ray.direction;
-    return json(
-        {{"origin", {o.x, o.y, o.z}}, {"direction", {d.x, d.y, d.z}}, {"precision", name_of(precision)}});
+    return json({{"origin", ray.origin}, {"direction", ray.direction}, {"precision", name_of(precision)}});
   }
   if (is("/api/walk")) {
-    const RayWalkRequest walked{grid_of(viewer, parameters),
-                                parameters.vector("origin"),
-                                parameters.vector("direction"),
-                                parameters.number<int>("all", 0, 1) == 1,
-                                parameters.number<int>("depth", 1, largest_depth),
-                                walk_precision(viewer, parameters)};
+    const std::size_t grid = grid_of(viewer, parameters);
+    const Vec3d origin = parameters.vector("origin"), direction = parameters.vector("direction");
+    WalkRequest walked;
+    walked.ray = unbounded_ray(origin, direction);
+    walked.all_rays = parameters.number<int>("all", 0, 1) == 1;
+    walked.rules.depth = parameters.number<int>("depth", 1, largest_depth);
+    walked.tracing.precision = walk_precision(viewer, parameters);
     parameters.end();
-    return json(viewer.walk(walked, request.is_gone));
+    return json(viewer.walk(grid, walked, request.is_gone));
   }
   if (is("/api/slice")) {
-    const SliceRequest sliced{grid_of(viewer, parameters), plane_of(parameters)};
+    const std::size_t grid = grid_of(viewer, parameters);
+    const SharePlane plane = plane_of(parameters);
     parameters.end();
-    return json(viewer.slice(sliced, request.is_gone));
+    return json(viewer.slice(grid, plane, most_slice_cells, request.is_gone));
   }
   if (is("/api/boxes")) {
-    BoxesRequest wanted{grid_of(viewer, parameters)};
+    const std::size_t grid = grid_of(viewer, parameters);
+    std::optional<std::int32_t> depth; // any
     if (parameters.find("depth") != nullptr)
-      wanted.depth = parameters.number<std::int32_t>("depth", 0, max_hierarchy_depth);
+      depth = parameters.number<std::int32_t>("depth", 0, max_hierarchy_depth);
     parameters.end();
-    return json(viewer.boxes(wanted, request.is_gone));
+    return json(viewer.boxes(grid, depth, most_boxes, request.is_gone));
   }
   if (is("/api/statistics")) {
     const std::size_t grid = grid_of(viewer, parameters);

@@ -71,7 +71,7 @@ Json channels_json(const Viewer& viewer, PictureRequest request) {
   for (const std::string& name : picture_channel_names()) {
     if (name == cut_name) continue; // of any plane
     request.channel = parse_picture_channel(name);
-    request.sampling = request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
+    request.frame.sampling = request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
     for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
       const Picture picture = viewer.picture(request, is_gone);
       Json& json = all[name].emplace_back(Json{{"timing", timing_of(picture)}});
@@ -89,8 +89,11 @@ Json channels_json(const Viewer& viewer, PictureRequest request) {
 Json walks_json(const Viewer& viewer, const std::vector<std::size_t>& grids, const Vec3d& origin,
                 const Vec3d& direction, Precision precision) {
   Json walks{{"hit", nullptr}, {"grids", Json::array()}};
+  WalkRequest request;
+  request.ray = unbounded_ray(origin, direction);
+  request.tracing.precision = precision;
   for (const std::size_t grid : grids) {
-    const Json walk = viewer.walk({grid, origin, direction, false, 5, precision}, is_gone);
+    const Json walk = viewer.walk(grid, request, is_gone);
     const Json& ray = walk["rays"][0];
     Json steps = Json::array();
     for (const Json& step : ray["steps"]) {
@@ -161,7 +164,7 @@ std::int32_t picked_pixel(int share, std::int32_t side) {
 
 Json view_json(const Viewer& viewer, const std::vector<std::size_t>& grids, const Camera& camera) {
   PictureRequest request;
-  request.camera = camera;
+  request.frame.camera = camera;
   request.quality = {85, true};
   Json json{{"camera", camera_json(camera)}, {"channels", channels_json(viewer, request)}};
   for (request.grid = 0; request.grid < viewer.grids(); ++request.grid)
@@ -200,16 +203,16 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
     data["layouts"].push_back({{"min", finest.space.min}, {"step", voxel_size(finest)}});
     Json slices = Json::array();
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      Json slice = viewer.slice({grid, planes[i], most_slice_cells}, is_gone);
+      Json slice = viewer.slice(grid, planes[i], most_slice_cells, is_gone);
       if (grid > 0 && slice["outline"] == data["slices"][0][i]["outline"])
         slice.erase("outline"); // the first one's
       slices.push_back(std::move(slice));
     }
     data["slices"].push_back(std::move(slices));
     Json boxes = Json::array();
-    boxes.push_back(viewer.boxes({grid, {}, most_boxes}, is_gone)); // of any depth, then of each
+    boxes.push_back(viewer.boxes(grid, {}, most_boxes, is_gone)); // of any depth, then of each
     for (std::int32_t depth = 0; depth <= viewed.greatest_depth; ++depth)
-      boxes.push_back(viewer.boxes({grid, depth, most_boxes}, is_gone));
+      boxes.push_back(viewer.boxes(grid, depth, most_boxes, is_gone));
     data["boxes"].push_back(std::move(boxes));
   }
   std::vector<Ray<double>> rays = settings.rays;

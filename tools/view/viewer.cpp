@@ -153,14 +153,13 @@ std::string timing_of(const Picture& picture) {
 }
 
 Viewer::Viewer(ViewedFiles files, Device device, Precision precision)
-    : path_(std::move(files.path)), scene_(std::move(files.scene)), made_by_(std::move(files.made_by)),
-      device_(device), precision_(precision) {
-  for (ViewedStructure& structure : files.structures)
-    grids_.push_back(std::make_unique<ViewedGrid>(std::move(structure), scene_, device));
+    : files_(std::move(files)), device_(device), precision_(precision) {
+  for (ViewedStructure& structure : files_.structures)
+    grids_.push_back(std::make_unique<ViewedGrid>(std::move(structure), scene(), device));
 }
 
 std::string Viewer::files() const {
-  std::string all = file_name(path_) + to_hex(scene_.hash());
+  std::string all = file_name(files_.path) + to_hex(scene().hash());
   for (const auto& grid : grids_)
     all += file_name(grid->path) + to_hex(grid->file.hash());
   return to_hex(hash_of({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()}));
@@ -175,25 +174,16 @@ ViewedGrid* Viewer::viewed(std::size_t index, const IsGone& is_gone) const {
     BuildOptions options;
     options.structure.kind = StructureKind::uniform;
     options.division = parse_division(std::to_string(divisions[stop]));
-    StructureFile file = built_in_memory(scene_, options, abandoned_when(is_gone));
-    grid = std::make_unique<ViewedGrid>(ViewedStructure{"", std::move(file)}, scene_, device_);
+    StructureFile file = built_in_memory(scene(), options, abandoned_when(is_gone));
+    grid = std::make_unique<ViewedGrid>(ViewedStructure{"", std::move(file)}, scene(), device_);
   }
   return grid.get();
 }
 
-FrameRequest Viewer::frame_request(const PictureRequest& request) const {
-  FrameRequest frame;
-  frame.tracing.precision = precision_;
-  frame.camera = request.camera;
-  frame.sampling = request.sampling;
-  frame.rules.depth = request.depth;
-  if (request.crop) frame.window = window_of(*request.crop, request.camera, request.sampling, "crop");
-  return frame;
-}
-
 Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) const {
-  FrameRequest frame_request = this->frame_request(request);
-  frame_request.progress = abandoned_when(is_gone);
+  FrameRequest frame = request.frame;
+  frame.tracing.precision = precision_;
+  frame.progress = abandoned_when(is_gone);
   Picture picture;
   const Stopwatch wait;
   // What was traced takes more memory than its bytes: it ends with its turn.
@@ -202,16 +192,15 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
     const ViewedGrid& viewed = grid(request.grid, is_gone);
     const ResidentTracer& tracer = viewed.tracer;
     if (precision_ == Precision::automatic) {
-      const ViewPrecision chosen = view_precision(tracer, frame_request);
-      frame_request.tracing.precision = chosen.precision;
+      const ViewPrecision chosen = view_precision(tracer, frame);
+      frame.tracing.precision = chosen.precision;
       picture.precision = description_of(chosen);
     } else {
       picture.precision = name_of(precision_);
     }
-    if (request.channel.is_cut)
-      return cut(tracer, plane_of(viewed.file, request.cut), frame_request, picture);
-    return request.channel.channel ? channel(tracer, request, frame_request, picture)
-                                   : shaded(tracer, frame_request, picture);
+    if (request.channel.is_cut) return cut(tracer, plane_of(viewed.file, request.cut), frame, picture);
+    return request.channel.channel ? channel(tracer, request, frame, picture)
+                                   : shaded(tracer, frame, picture);
   });
   const Stopwatch encode;
   picture.bytes = encoded(rows, request);
@@ -220,13 +209,14 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
 }
 
 Json Viewer::counts(const PictureRequest& request, const IsGone& is_gone) const {
-  FrameRequest frame_request = this->frame_request(request);
-  frame_request.tracing.count = true;
-  frame_request.progress = abandoned_when(is_gone);
-  const Frame frame =
-      turns_.run(is_gone, [&] { return grid(request.grid, is_gone).tracer.render(frame_request); });
-  Json json = counts_report(frame.counts);
-  json["trace_seconds"] = frame.seconds.trace;
+  FrameRequest frame = request.frame;
+  frame.tracing.precision = precision_;
+  frame.tracing.count = true;
+  frame.progress = abandoned_when(is_gone);
+  const Frame rendered =
+      turns_.run(is_gone, [&] { return grid(request.grid, is_gone).tracer.render(frame); });
+  Json json = counts_report(rendered.counts);
+  json["trace_seconds"] = rendered.seconds.trace;
   return json;
 }
 
@@ -236,20 +226,15 @@ Viewer::PickedRay Viewer::camera_ray(const Camera& camera, std::int32_t column, 
   frame.camera = camera;
   frame.sampling = Sampling::centers;
   WalkRequest walk = camera_walk(grids_[0]->tracer, frame, column, row);
-  walk.ray.origin = walk.ray.origin + scene_.origin();
+  walk.ray.origin = walk.ray.origin + scene().origin();
   return {walk.ray, walk.tracing.precision};
 }
 
-Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
-  WalkRequest walk;
-  walk.tracing.precision = request.precision;
-  walk.ray = unbounded_ray(request.origin, request.direction);
-  walk.all_rays = request.all_rays;
-  walk.rules.depth = request.depth;
-  walk.limits = {1000, std::size_t{4} << 20, 10'000'000}; // as JSON some ten times as many bytes
-  walk.progress = [progress = abandoned_when(is_gone)] { progress(0); };
+Json Viewer::walk(std::size_t grid, WalkRequest request, const IsGone& is_gone) const {
+  request.limits = {1000, std::size_t{4} << 20, 10'000'000}; // as JSON some ten times as many bytes
+  request.progress = [progress = abandoned_when(is_gone)] { progress(0); };
   return walk_turns_.run(is_gone, [&] {
-    const WalkReport report = trace_walk(grid(request.grid, is_gone).tracer, walk);
+    const WalkReport report = trace_walk(this->grid(grid, is_gone).tracer, request);
     Json json = walk_json(report);
     for (const WalkRay& ray : report.rays)
       json["ended"].push_back(description_of(ray));
@@ -259,13 +244,14 @@ Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
   });
 }
 
-Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
+Json Viewer::slice(std::size_t grid, const SharePlane& wanted, std::size_t most_cells,
+                   const IsGone& is_gone) const {
   return turns_.run(is_gone, [&] {
-    const StructureFile& file = grid(request.grid, is_gone).file;
+    const StructureFile& file = this->grid(grid, is_gone).file;
     const GridLayout finest = finest_layout(file);
-    const int axis = request.plane.axis;
+    const int axis = wanted.axis;
     const auto [u, v] = slice_axes(axis);
-    const SlicePlane plane = plane_of(file, request.plane);
+    const SlicePlane plane = plane_of(file, wanted);
     const SliceWindow window = window_of(finest, axis);
     const Vec3d step = voxel_size(finest);
     Json json{{"axis", axis},
@@ -279,22 +265,23 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
     const auto in_layer =
         static_cast<std::uint64_t>(finest.division[u]) * static_cast<std::uint64_t>(finest.division[v]);
     const bool without_empty = !file.is_hierarchy() && !file.is_merged() &&
-                               in_layer > std::min<std::uint64_t>(request.most_cells, most_in_layer);
+                               in_layer > std::min<std::uint64_t>(most_cells, most_in_layer);
     constexpr std::size_t most_lines = 200000;
-    SliceCellsJson made = slice_cells_json(file, plane, window, request.most_cells, without_empty);
+    SliceCellsJson made = slice_cells_json(file, plane, window, most_cells, without_empty);
     json["cells"] = std::move(made.cells);
     json["truncated"] = made.is_truncated;
     json["without_empty"] = without_empty;
     Json& lines = json["outline"] = Json::array();
-    for (const CutSegment& line : outline_of(scene_, plane, window, 2e-4))
+    for (const CutSegment& line : outline_of(scene(), plane, window, 2e-4))
       if (lines.size() < most_lines) lines.push_back({line.from[0], line.from[1], line.to[0], line.to[1]});
     return json;
   });
 }
 
-Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
+Json Viewer::boxes(std::size_t grid, std::optional<std::int32_t> wanted, std::size_t most,
+                   const IsGone& is_gone) const {
   return turns_.run(is_gone, [&] {
-    const ViewedGrid& viewed = grid(request.grid, is_gone);
+    const ViewedGrid& viewed = this->grid(grid, is_gone);
     const StructureFile& file = viewed.file;
     const auto for_each = [&](std::optional<std::int32_t> depth, const auto& act) {
       for_each_box(file, {{}, !depth || !file.is_hierarchy(), {}}, [&](const StructureBox& found) {
@@ -306,14 +293,14 @@ Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
       for_each(depth, [&](const StructureBox&) { ++count; });
       return count;
     };
-    std::optional<std::int32_t> depth = request.depth;
+    std::optional<std::int32_t> depth = wanted;
     const std::size_t count = count_of(depth);
     std::size_t fitting = count;
     if (!depth && file.is_hierarchy()) {
-      for (std::int32_t next = viewed.greatest_depth; fitting > request.most && next > 0;)
+      for (std::int32_t next = viewed.greatest_depth; fitting > most && next > 0;)
         fitting = count_of(depth = --next);
     }
-    const std::size_t step = std::max<std::size_t>(1, (fitting + request.most - 1) / request.most);
+    const std::size_t step = std::max<std::size_t>(1, (fitting + most - 1) / most);
     Json boxes = Json::array();
     std::size_t index = 0;
     for_each(depth, [&](const StructureBox& found) {
@@ -341,14 +328,14 @@ Json Viewer::description() const {
   }
   const bool cuda = !grids_.empty() && grids_.front()->tracer.device() == Device::cuda;
   Json json{{"scene",
-             {{"name", file_name(path_)},
-              {"path", path_},
-              {"made_by", made_by_},
-              {"hash", to_hex(scene_.hash())},
-              {"primitives", scene_.primitive_count()},
-              {"bytes", scene_.bytes()},
-              {"bounds", in_world(scene_.origin(), scene_.bounds())}}},
-            {"camera", camera_json(scene_.camera())},
+             {{"name", file_name(files_.path)},
+              {"path", files_.path},
+              {"made_by", files_.made_by},
+              {"hash", to_hex(scene().hash())},
+              {"primitives", scene().primitive_count()},
+              {"bytes", scene().bytes()},
+              {"bounds", in_world(scene().origin(), scene().bounds())}}},
+            {"camera", camera_json(scene().camera())},
             {"grids", grids},
             {"divisions", divisions},
             {"channels", picture_channel_names()},

@@ -4,6 +4,7 @@
 
 #include "libgrid/statistics/boxes.h"
 #include "renderer/image/jpeg_file.h"
+#include "renderer/rays/walk_report.h"
 #include "renderer/tracer/tracer.h"
 #include "tools/render/views.h"
 #include "tools/view/channel_colors.h"
@@ -23,17 +24,14 @@
 namespace masu {
 
 // Lives where it was made: tracers refer to the files.
-struct ViewedGrid {
-  std::string path;
-  StructureFile file; // a grid or a hierarchy
-  Commands made_by;
+struct ViewedGrid : ViewedStructure {
   ResidentTracer tracer;
   std::int32_t greatest_depth;         // of its cells or boxes
   nlohmann::ordered_json statistics{}; // null: not made yet
 
   ViewedGrid(ViewedStructure viewed, const SceneFile& scene, Device device)
-      : path(std::move(viewed.path)), file(std::move(viewed.file)), made_by(std::move(viewed.made_by)),
-        tracer(scene, &file, device), greatest_depth(masu::greatest_depth(file)) {}
+      : ViewedStructure(std::move(viewed)), tracer(scene, &file, device),
+        greatest_depth(masu::greatest_depth(file)) {}
 };
 
 // Voxels an axis of uniform grids that anybody may ask for. Each is built in memory when it is first asked
@@ -52,10 +50,7 @@ struct SharePlane {
 
 struct PictureRequest {
   std::size_t grid = 0;
-  Camera camera{};
-  Sampling sampling = Sampling::corners;
-  std::optional<Crop> crop{}; // all of the picture, where it isn't given
-  int depth = 5;
+  FrameRequest frame{}; // its precision is the viewer's
   PictureChannel channel{};
   SharePlane cut{}; // of a channel that is cut: what is on the eye's side of it is left out
   JpegQuality quality{};
@@ -80,34 +75,13 @@ nlohmann::ordered_json camera_json(const Camera& camera);
 // `busy_lanes`.
 std::string timing_of(const Picture& picture);
 
-struct SliceRequest {
-  std::size_t grid = 0;
-  SharePlane plane{};
-  std::size_t most_cells = 200000; // beyond, the slice is truncated
-};
-
-struct BoxesRequest {
-  std::size_t grid = 0;
-  std::optional<std::int32_t> depth{}; // none: of any
-  std::size_t most = 8000;
-};
-
-// Of a ray given in the world.
-struct RayWalkRequest {
-  std::size_t grid = 0;
-  Vec3d origin{}, direction{};
-  bool all_rays = false;                      // and the shadow rays and rays that it spawns
-  int depth = 5;                              // of these
-  Precision precision = Precision::automatic; // its picture's
-};
-
 // Threads may ask at the same time.
 class Viewer {
 public:
   // Throws as ResidentTracer does.
   Viewer(ViewedFiles files, Device device, Precision precision);
 
-  const SceneFile& scene() const { return scene_; }
+  const SceneFile& scene() const { return files_.scene; }
   // Those that were given, and behind them those of `divisions`, one of which may be built by the call:
   // Abandoned where is_gone() meanwhile, and Error.
   const ViewedGrid& grid(std::size_t index, const IsGone& is_gone) const { return *viewed(index, is_gone); }
@@ -129,16 +103,18 @@ public:
   PickedRay camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const;
   // As gridtrace --ray --json has it, and in `ended` why each ray's walk ended, in words. Bounded:
   // `more_rays` are counted that aren't among `rays`, `ended_early` says that there are still more. A ray's
-  // `steps` are the first of its `cells`.
-  nlohmann::ordered_json walk(const RayWalkRequest& request, const IsGone& is_gone) const;
+  // `steps` are the first of its `cells`. The request's limits and progress are the viewer's.
+  nlohmann::ordered_json walk(std::size_t grid, WalkRequest request, const IsGone& is_gone) const;
   // {axis, axes, position, range, voxels, min, step, cells, outline, truncated, without_empty}: cells as
   // slice_cells_json() has them, those of a uniform grid without the empty ones where these are too many;
-  // outline as [from u, from v, to u, to v] in scene units.
-  nlohmann::ordered_json slice(const SliceRequest& request, const IsGone& is_gone) const;
+  // outline as [from u, from v, to u, to v] in scene units. Beyond `most_cells` the slice is truncated.
+  nlohmann::ordered_json slice(std::size_t grid, const SharePlane& plane, std::size_t most_cells,
+                               const IsGone& is_gone) const;
   // {boxes: [{min, max, depth}, …], count, depth}: those that list references, of any depth or
   // down to one; there a hierarchy's boxes around nodes, too, so that they cover what all do. Where there are
   // more than `most`, of any depth those down to the deepest that fits, or each n-th of `count`.
-  nlohmann::ordered_json boxes(const BoxesRequest& request, const IsGone& is_gone) const;
+  nlohmann::ordered_json boxes(std::size_t grid, std::optional<std::int32_t> depth, std::size_t most,
+                               const IsGone& is_gone) const;
 
   // The scene, its camera, its grids by name, and the divisions that there are besides.
   nlohmann::ordered_json description() const;
@@ -146,12 +122,9 @@ public:
   nlohmann::ordered_json statistics(std::size_t grid, const IsGone& is_gone) const;
 
 private:
-  FrameRequest frame_request(const PictureRequest& request) const;
   ViewedGrid* viewed(std::size_t index, const IsGone& is_gone) const;
 
-  std::string path_;
-  SceneFile scene_;
-  Commands made_by_; // of the scene
+  ViewedFiles files_; // but for the structures
   std::vector<std::unique_ptr<ViewedGrid>> grids_;
   mutable std::array<std::unique_ptr<ViewedGrid>, divisions.size()> divided_; // null: not built yet
   mutable std::mutex building_;
