@@ -132,9 +132,8 @@ std::vector<std::uint32_t> object_masks(const std::string& list, std::uint64_t o
   std::vector<std::uint32_t> masks(objects);
   for (const std::string& word : split(list)) {
     std::array<std::uint64_t, 2> range{};
-    std::array<std::uint64_t, 1> one{};
-    if (read_numbers(word, ',', one))
-      range = {one[0], one[0]};
+    if (const auto one = read_number<std::uint64_t>(word))
+      range = {*one, *one};
     else if (!read_numbers(word, '-', range) || range[0] > range[1])
       throw Error(ErrorCode::usage, "--objects",
                   fmt::format("'{}' is neither a number nor FIRST-LAST", word));

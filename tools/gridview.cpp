@@ -8,7 +8,6 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <string_view>
@@ -79,10 +78,11 @@ void print_address(const Settings& settings, int port, const std::string& token,
 
 SharePlane parse_slice(const std::string& text) {
   const std::size_t axis = text.substr(0, 2).ends_with(',') ? std::string_view("xyz").find(text[0]) : 3;
-  std::array<double, 1> share{};
-  if (axis > 2 || !read_numbers(text.substr(2), ',', share) || !(share[0] >= 0 && share[0] <= 1))
+  const auto share =
+      read_number<double>(std::string_view(text).substr(std::min<std::size_t>(2, text.size())));
+  if (axis > 2 || !share || !(*share >= 0 && *share <= 1))
     throw Error(ErrorCode::usage, "--slices", fmt::format("'{}' isn't an axis and a share, as y,0.5", text));
-  return {static_cast<int>(axis), share[0]};
+  return {static_cast<int>(axis), *share};
 }
 
 void check_export(Settings& settings) {

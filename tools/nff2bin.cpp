@@ -1,10 +1,10 @@
 // nff2bin: converts NFF text to a scene file, and reports the content of either.
 #include "libscene/mesh/tessellate.h"
 #include "libscene/nff/nff.h"
+#include "tools/common/number_list.h"
 #include "tools/common/progress.h"
 #include "tools/report/scene_report.h"
 
-#include <charconv>
 #include <utility>
 
 namespace masu {
@@ -20,11 +20,8 @@ struct Settings {
 
 // The error message for an N of --tessellate; empty where it is valid.
 std::string check_facets(const std::string& text) {
-  int facets = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), facets);
-  if (error == std::errc{} && end == text.data() + text.size() && facets % 4 == 0 && facets >= min_facets &&
-      facets <= max_facets)
-    return {};
+  const auto facets = read_number<int>(text);
+  if (facets && *facets % 4 == 0 && *facets >= min_facets && *facets <= max_facets) return {};
   return fmt::format("'{}' isn't a multiple of 4 from {} to {}", text, min_facets, max_facets);
 }
 

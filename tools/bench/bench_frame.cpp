@@ -131,7 +131,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_number("--depth", settings.rules.depth, 1, largest_depth,
                      "largest depth of rays; camera rays have depth 1");
   add_warm_up(command, settings.warm_up);
-  add_repeat(command, settings.repeat, "timed runs, of which the median counts");
+  add_repeat(command, settings.repeat);
 }
 
 } // namespace

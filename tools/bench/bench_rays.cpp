@@ -190,7 +190,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   add_count(command, "--random", settings.random, "number of random rays, and of places", 28);
   add_seed(command, settings.seed, "seed of diffuse and random rays and places");
   add_warm_up(command, settings.warm_up);
-  add_repeat(command, settings.repeat, "timed runs, of which the median counts");
+  add_repeat(command, settings.repeat);
   command
       .add_option("--save", settings.save,
                   "write the sets, too: 8 float64 numbers per ray (origin, tmin, direction, tmax), relative "

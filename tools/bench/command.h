@@ -81,13 +81,12 @@ inline void add_seed(const CommandLine& command, std::uint64_t& seed, const char
   command.add_option("--seed", seed, what).shows_default();
 }
 template <class Number>
-void add_count(const CommandLine& command, const char* option, Number& count, const char* what, int log2_most,
-               Number least = 1) {
-  command.add_option(option, count, what).range(least, Number{1} << log2_most).shows_default();
+void add_count(const CommandLine& command, const char* option, Number& count, const char* what,
+               int log2_most) {
+  command.add_number(option, count, Number{1}, Number{1} << log2_most, what);
 }
-inline void add_repeat(const CommandLine& command, int& repeat,
-                       const char* what = "timed runs after an untimed one; the median counts") {
-  command.add_number("--repeat", repeat, 1, 1000, what);
+inline void add_repeat(const CommandLine& command, int& repeat) {
+  command.add_number("--repeat", repeat, 1, 1000, "timed runs, of which the median counts");
 }
 inline void add_warm_up(const CommandLine& command, int& warm_up) {
   command.add_number("--warm-up", warm_up, 0, 1000, "untimed runs before the timed ones");

@@ -248,7 +248,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_option("--threads", settings.threads, "numbers of threads; 0: all cores")
       .comma_separated()
       .range(0, 4096);
-  add_repeat(command, settings.repeat, "timed runs, of which the median counts");
+  add_repeat(command, settings.repeat);
   command.footer("--benchmark_… options are Google Benchmark's.");
 }
 

@@ -3,6 +3,7 @@
 #include "libscene/base/error.h"
 #include "libscene/file/input_file.h"
 #include "libscene/file/input_stream.h"
+#include "tools/common/number_list.h"
 #include "tools/lists/npy.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cstring>
 #include <string_view>
 
@@ -85,12 +85,11 @@ FloatPicture read_pfm(const File& file) {
     at = std::min(file.bytes.find_first_of(" \t\r\n", begin), file.bytes.size());
     return std::string_view(file.bytes).substr(begin, at - begin);
   };
-  const auto number = [&]<class Number>(Number value) {
+  const auto number = [&]<class Number>(Number) {
     const std::string_view text = word();
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-      file.fail(fmt::format("has a header in which '{}' isn't a number", text.substr(0, 20)));
-    return value;
+    const auto value = read_number<Number>(text);
+    if (!value) file.fail(fmt::format("has a header in which '{}' isn't a number", text.substr(0, 20)));
+    return *value;
   };
   const std::int32_t channels = word() == "PF" ? 3 : 1;
   const auto width = number(std::uint32_t{}), height = number(std::uint32_t{});

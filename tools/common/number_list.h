@@ -8,6 +8,7 @@
 
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,15 @@ inline std::vector<std::string> split(const std::string& text) {
     words.push_back(text.substr(begin, comma - begin));
   words.push_back(text.substr(begin));
   return words;
+}
+
+// Nothing where the text isn't exactly one.
+template <class Number>
+std::optional<Number> read_number(std::string_view text) {
+  Number number{};
+  const char* const text_end = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), text_end, number);
+  return error == std::errc() && end == text_end ? std::optional(number) : std::nullopt;
 }
 
 // False where the text isn't exactly so many.

@@ -13,11 +13,11 @@ constexpr const char* devices_option = "--devices";
 std::vector<int> numbers_in(const std::string& text) {
   std::vector<int> numbers;
   for (const std::string& word : split(text)) {
-    std::array<int, 1> number{};
-    if (!read_numbers(word, ',', number) || number[0] < 0)
+    const std::optional<int> number = read_number<int>(word);
+    if (!number || *number < 0)
       throw Error(ErrorCode::usage, devices_option,
                   fmt::format("'{}' isn't all, cpu or numbers of GPUs such as 0,2", text));
-    numbers.push_back(number[0]);
+    numbers.push_back(*number);
   }
   return numbers;
 }

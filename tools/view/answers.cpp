@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <set>
 
 namespace masu {
@@ -32,12 +31,10 @@ public:
   }
   template <class Number>
   Number number(const char* name, Number least, Number most) {
-    const std::string& value = text(name);
-    Number number{};
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (error != std::errc() || end != value.data() + value.size() || !(number >= least && number <= most))
+    const auto number = read_number<Number>(text(name));
+    if (!number || !(*number >= least && *number <= most))
       throw Error(ErrorCode::usage, name, fmt::format("isn't a number from {} to {}", least, most));
-    return number;
+    return *number;
   }
   Vec3d vector(const char* name) { return parse_vector(name, text(name)); }
   // Throws Error(usage) where one is left over.

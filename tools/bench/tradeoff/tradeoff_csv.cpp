@@ -3,13 +3,13 @@
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
 #include "tools/bench/tradeoff/tradeoff_front.h"
+#include "tools/common/number_list.h"
 
 #include <fmt/format.h>
 #include <sys/file.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -37,10 +37,9 @@ void read(const std::string& text, Value& value) {
   if constexpr (std::is_enum_v<Value>) {
     value = named<Value>(text);
   } else if constexpr (std::is_arithmetic_v<Value>) {
-    const char* const end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, value);
-    if (result.ec != std::errc() || result.ptr != end)
-      throw Error(ErrorCode::input, text, "isn't a valid number");
+    const auto number = read_number<Value>(text);
+    if (!number) throw Error(ErrorCode::input, text, "isn't a valid number");
+    value = *number;
   } else {
     value = text;
   }
