@@ -59,7 +59,7 @@ void write_cells(const StructureFile& file, const Settings& settings) {
     const bool is_finite = std::ranges::all_of(w, [](double value) { return std::isfinite(value); });
     if (!is_finite || is_empty(box))
       throw Error(ErrorCode::usage, "--within", "isn't a box: give the least x, y, z, then the greatest");
-    options.within = box;
+    options.filter.within = box;
   }
   export_cells(file, options, settings.cells);
 }
@@ -171,7 +171,7 @@ void add_options(const CommandLine& command, Settings& settings) {
                                      "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
                            .excludes(slice);
   CellExport& cell_export = settings.cell_export;
-  command.add_flag("--occupied", cell_export.occupied_only, "of --cells: only those with references");
+  command.add_flag("--occupied", cell_export.filter.occupied_only, "of --cells: only those with references");
   command
       .add_option("--within", settings.within,
                   "of --cells: only those that share space with the box between two corners, in scene units")

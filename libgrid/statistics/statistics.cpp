@@ -46,20 +46,18 @@ void add_cell(GridStatistics& statistics, std::uint32_t references) {
 
 GridStatistics grid_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references) {
   GridStatistics statistics;
-  statistics.voxels = statistics.cells = voxel_count(grid.division);
+  statistics.cells = voxel_count(grid.division);
   for (std::size_t first = 0, i = 0; i < references.size(); ++i) {
     if ((references[i] & last_bit) == 0) continue;
     add_cell(statistics, static_cast<std::uint32_t>(i + 1 - first));
     first = i + 1;
   }
-  statistics.occupied_voxels = statistics.occupied_cells;
   describe(statistics);
   return statistics;
 }
 
 GridStatistics grid_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells) {
   GridStatistics statistics;
-  statistics.voxels = voxel_count(grid.division);
   statistics.cells = cells.size();
   for (const MergedCell& cell : cells) {
     if (cell.list != empty_list) add_cell(statistics, references_of(grid.references, cell.list));

@@ -12,8 +12,7 @@
 namespace masu {
 
 struct GridStatistics {
-  std::uint64_t voxels = 0, occupied_voxels = 0; // map_statistics.h knows which of a merged grid's are
-  std::uint64_t cells = 0, occupied_cells = 0;   // a uniform grid's cells are its voxels
+  std::uint64_t cells = 0, occupied_cells = 0; // a uniform grid's cells are its voxels
   std::uint64_t references = 0;
   // References of an occupied cell; all zero when none is occupied.
   double mean = 0, stddev = 0, median = 0;

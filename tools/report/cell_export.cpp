@@ -1,6 +1,5 @@
 #include "tools/report/cell_export.h"
 
-#include "libgrid/statistics/boxes.h"
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
 #include "tools/common/color_map.h"
@@ -41,11 +40,6 @@ struct [[gnu::packed]] Face {
 };
 static_assert(sizeof(Corner) == 31 && sizeof(Face) == 17);
 
-void for_each_exported(const StructureFile& file, const CellExport& options,
-                       const std::function<void(const StructureBox&)>& act) {
-  for_each_box(file, {options.within, options.occupied_only}, act);
-}
-
 void write_csv(const StructureFile& file, const CellExport& options, OutputFile& out) {
   fmt::memory_buffer text;
   const auto end = std::back_inserter(text);
@@ -63,7 +57,7 @@ void write_csv(const StructureFile& file, const CellExport& options, OutputFile&
     fmt::format_to(end,
                    "cell,min_x,min_y,min_z,max_x,max_y,max_z,expanded_min_x,expanded_min_y,expanded_min_z,"
                    "expanded_max_x,expanded_max_y,expanded_max_z,references,occupied,voxels\n");
-  for_each_exported(file, options, [&](const StructureBox& cell) {
+  for_each_box(file, options.filter, [&](const StructureBox& cell) {
     fmt::format_to(end, "{}", cell.number);
     if (file.is_hierarchy()) {
       fmt::format_to(end, ",{}", cell.depth);
@@ -84,7 +78,7 @@ void write_csv(const StructureFile& file, const CellExport& options, OutputFile&
 void write_ply(const StructureFile& file, const CellExport& options, OutputFile& out) {
   std::uint64_t cells = 0;
   std::uint32_t most = 1; // references of a cell
-  for_each_exported(file, options, [&](const StructureBox& cell) {
+  for_each_box(file, options.filter, [&](const StructureBox& cell) {
     ++cells;
     most = std::max(most, cell.references);
   });
@@ -106,7 +100,7 @@ void write_ply(const StructureFile& file, const CellExport& options, OutputFile&
 
   const ColorMap map = ColorMap::of_lists();
   const double range = std::log(std::max<double>(most, 2));
-  for_each_exported(file, options, [&](const StructureBox& cell) {
+  for_each_box(file, options.filter, [&](const StructureBox& cell) {
     const Boxd& box = options.expanded ? cell.expanded : cell.box;
     constexpr Rgb empty{230, 230, 230};
     const Rgb color = cell.references == 0 ? empty : map(1 - std::log(cell.references) / range);

@@ -1,18 +1,16 @@
 // gridstat --cells: a grid's cells, or a hierarchy's boxes, for other viewers and programs.
 #pragma once
 
-#include "libgrid/statistics/cells.h"
+#include "libgrid/statistics/boxes.h"
 
-#include <optional>
 #include <string>
 
 namespace masu {
 
 struct CellExport {
-  std::optional<Boxd> within{}; // in scene units: those that share space with it
-  bool occupied_only = false;   // of a hierarchy: boxes of references
-  bool expanded = false;        // PLY: the boxes that rays leave cells through, instead of the cells' own
-  bool wireframe = false;       // PLY: edges instead of faces
+  BoxFilter filter{};
+  bool expanded = false;  // PLY: the boxes that rays leave cells through, instead of the cells' own
+  bool wireframe = false; // PLY: edges instead of faces
 };
 
 // By the path's ending, .csv or .ply; written cell by cell, whole or not at all.
