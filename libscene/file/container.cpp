@@ -164,7 +164,7 @@ std::vector<fb::Section> lay_out(std::span<const SectionData> sections) {
   return layout;
 }
 
-Hash write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
+void write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
                      std::span<const SectionData> sections, std::span<const fb::Section> layout) {
   const Prelude prelude = prelude_of(kind, table, size_of_body(layout));
   OutputFile file(path);
@@ -178,7 +178,6 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
     written = offset + section.record_bytes * section.count;
   });
   file.commit();
-  return prelude.hash;
 }
 
 ContainerMemory

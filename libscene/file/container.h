@@ -89,9 +89,8 @@ SectionData converted_section_data(std::uint32_t kind, const Records& records, c
 std::vector<fb::Section> lay_out(std::span<const SectionData> sections);
 
 // Writes the file whole or not at all (output_file.h). `layout` is lay_out(sections), `table` a finished
-// FlatBuffer that lists it.
-// Returns the content hash. Throws Error(output).
-Hash write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
+// FlatBuffer that lists it. Throws Error(output).
+void write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
                      std::span<const SectionData> sections, std::span<const fb::Section> layout);
 
 // The bytes of a container that is made in memory.

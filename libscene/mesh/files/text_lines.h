@@ -48,7 +48,6 @@ public:
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - next_); } // after this line
   const char* position() const { return position_; }
   void go_to(const char* position) { position_ = position; } // in the line
-  const char* line_end() const { return line_end_; }
   std::uint64_t line() const { return line_; }
   // Throws Error(input, name:line, message).
   [[noreturn]] void fail(const std::string& message) const;
