@@ -64,6 +64,12 @@ def real_numbers(name: str, array: Any) -> Any:
     return array
 
 
+def check_shape(name: str, array: Any, is_right: bool, needed: Any) -> None:
+    """Of any library's array, or of an object with a shape."""
+    if not is_right:
+        raise ValueError("{}: the shape {} is needed, not {}".format(name, needed, tuple(array.shape)))
+
+
 def _lies_on_gpu(name: str, array: Any) -> bool:
     if hasattr(array, "__dlpack_device__"):
         kind = int(array.__dlpack_device__()[0])

@@ -27,10 +27,10 @@ def interpolate(hits: Mapping[str, Any], values: Any, faces: Any = None, *, stre
                 raise ValueError("{}: an array of the library of primitive_ids is needed, where these are".format(name))
     values, faces, uvs = given.values()
     shape, needed = tuple(values.shape), "(V, K)" if faces is not None else "(F, K) or (F, 3, K)"
-    if len(shape) != 2 and (faces is not None or len(shape) != 3 or shape[1] != 3):
-        raise ValueError("values: the shape {} is needed, not {}".format(needed, shape))
-    if faces is not None and (len(faces.shape) != 2 or faces.shape[1] != 3):
-        raise ValueError("faces: the shape (F, 3) is needed, not {}".format(tuple(faces.shape)))
+    are_corners = faces is None and len(shape) == 3 and shape[1] == 3
+    _arrays.check_shape("values", values, len(shape) == 2 or are_corners, needed)
+    if faces is not None:
+        _arrays.check_shape("faces", faces, len(faces.shape) == 2 and faces.shape[1] == 3, "(F, 3)")
     per_face = faces is None and len(shape) == 2
     if not per_face and (uvs is None or tuple(uvs.shape) != tuple(ids.shape) + (2,)):
         raise ValueError("primitive_uvs: they are needed of all primitive_ids: ask for both fields")

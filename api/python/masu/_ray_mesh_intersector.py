@@ -77,6 +77,5 @@ def _rays(origins: Any, directions: Any) -> Any:
 
 def _vectors(name: str, numbers: Any) -> Any:
     array = _arrays.real_numbers(name, numbers).astype("float64")
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError("{}: the shape (n, 3) is needed, not {}".format(name, array.shape))
+    _arrays.check_shape(name, array, array.ndim == 2 and array.shape[1] == 3, "(n, 3)")
     return array

@@ -217,8 +217,7 @@ def _points(points: Any) -> Any:
 def _vectors(name: str, numbers: Any, length: int) -> Any:
     import numpy as np
     vectors = _arrays.real_numbers(name, numbers)
-    if vectors.ndim == 0 or vectors.shape[-1] != length:
-        raise ValueError("{}: the shape (..., {}) is needed, not {}".format(name, length, vectors.shape))
+    _arrays.check_shape(name, vectors, vectors.shape[-1:] == (length,), "(..., {})".format(length))
     return vectors if vectors.dtype == np.float32 else vectors.astype(np.float64, copy=False)
 
 
@@ -230,8 +229,7 @@ def _number(*arrays: Any) -> str:
 def _vector(name: str, numbers: Any, shape: Tuple[int, ...]) -> Any:
     import numpy as np
     array = _arrays.real_numbers(name, numbers).astype(np.float64)
-    if array.shape != shape:
-        raise ValueError("{}: the shape {} is needed, not {}".format(name, shape, array.shape))
+    _arrays.check_shape(name, array, array.shape == shape, shape)
     return array
 
 
@@ -239,8 +237,7 @@ def _angles(name: str, degrees: Any) -> Any:
     """Their cosines and sines."""
     import numpy as np
     angles = np.radians(_arrays.real_numbers(name, degrees).astype(np.float64))
-    if angles.ndim != 1:
-        raise ValueError("{}: the shape (N,) is needed, not {}".format(name, angles.shape))
+    _arrays.check_shape(name, angles, angles.ndim == 1, "(N,)")
     return np.cos(angles), np.sin(angles)
 
 

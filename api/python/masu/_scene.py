@@ -126,8 +126,7 @@ def _vector(numbers: Any) -> Vector:
 def _numbers(name: str, array: Any, columns: int) -> Any:
     import numpy as np
     array = _arrays.real_numbers(name, array)
-    if array.size and (array.ndim != 2 or array.shape[1] != columns):
-        raise ValueError("{}: the shape (N, {}) is needed, not {}".format(name, columns, array.shape))
+    _arrays.check_shape(name, array, not array.size or array.shape[1:] == (columns,), "(N, {})".format(columns))
     is_float32 = array.dtype.newbyteorder("=") == np.float32
     return np.require(array, np.float32 if is_float32 else np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
@@ -158,8 +157,7 @@ def _set_mesh(record: MeshRecord, mesh: Mesh, place: str) -> Any:
         record.triangle_count = count // 3
         return vertices
     faces = _arrays.on_host(place + "faces", mesh.faces)
-    if faces.size and (faces.ndim != 2 or faces.shape[1] != 3):
-        raise ValueError("{}faces: the shape (N, 3) is needed, not {}".format(place, faces.shape))
+    _arrays.check_shape(place + "faces", faces, not faces.size or faces.shape[1:] == (3,), "(N, 3)")
     if faces.size and faces.dtype.kind not in "iu":
         raise TypeError("{}faces: integers are needed, not {}".format(place, faces.dtype))
     if faces.size and not 0 <= int(faces.min()) <= int(faces.max()) < count:
@@ -194,8 +192,7 @@ def _placements(given: Sequence[Any], meshes: int) -> Any:
         placement = one if isinstance(one, Placement) else Placement(*one)
         place = "placement {}: ".format(index)
         transform = np.asarray(_arrays.real_numbers(place + "transform", placement.transform), np.float64)
-        if transform.shape not in ((3, 4), (4, 4)):
-            raise ValueError("{}transform: the shape (3, 4) or (4, 4) is needed, not {}".format(place, transform.shape))
+        _arrays.check_shape(place + "transform", transform, transform.shape in ((3, 4), (4, 4)), "(3, 4) or (4, 4)")
         if not 0 <= operator.index(placement.mesh) < meshes:
             raise ValueError("{}mesh: {} isn't one of the {}".format(place, placement.mesh, meshes))
         sized(record).transform[:] = transform[:3].ravel().tolist()

@@ -218,8 +218,7 @@ class Tracer(Resource):
         before or after, all their rays alike. After an error the tracer is as it was. stream: as nearest() has it, of what
         writes the vertices; it is waited for."""
         arrays, vertices = _arrays.recognize("vertices", vertices, stream)
-        if len(vertices.shape) != 2 or vertices.shape[1] != 3:
-            raise ValueError("vertices: the shape (N, 3) is needed, not {}".format(tuple(vertices.shape)))
+        _arrays.check_shape("vertices", vertices, len(vertices.shape) == 2 and vertices.shape[1] == 3, "(N, 3)")
         if arrays.gpu(vertices, "vertices") is None and stream is not None:
             raise ValueError("stream: it is for vertices on a GPU, and these are in host memory")
         record = sized(VerticesRecord(count=len(vertices)))
@@ -237,8 +236,7 @@ class Tracer(Resource):
         stream: as update() has it."""
         arrays, transforms = _arrays.recognize("transforms", transforms, stream)
         shape = tuple(transforms.shape)
-        if len(shape) != 3 or shape[1:] not in ((3, 4), (4, 4)):
-            raise ValueError("transforms: the shape (N, 3, 4) or (N, 4, 4) is needed, not {}".format(shape))
+        _arrays.check_shape("transforms", transforms, shape[1:] in ((3, 4), (4, 4)), "(N, 3, 4) or (N, 4, 4)")
         if arrays.gpu(transforms, "transforms") is None and stream is not None:
             raise ValueError("stream: it is for transforms on a GPU, and these are in host memory")
         record = sized(TransformsRecord(count=len(transforms), square=int(shape[1] == 4)))
@@ -247,8 +245,7 @@ class Tracer(Resource):
             setattr(record, "values64" if arrays.is_float64(transforms) else "values", arrays.pointer(transforms))
             if indices is not None:
                 others, indices = _arrays.recognize("indices", indices, stream)
-                if tuple(indices.shape) != shape[:1]:
-                    raise ValueError("indices: the shape {} is needed, not {}".format(shape[:1], tuple(indices.shape)))
+                _arrays.check_shape("indices", indices, tuple(indices.shape) == shape[:1], shape[:1])
                 indices = others.packed_int32(indices, "indices")
                 record.indices = others.pointer(indices)
             call(library.masu_tracer_place, self, byref(record))
