@@ -15,6 +15,17 @@ bool has_nonzero_digit(std::string_view token) {
   return token.substr(0, token.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos;
 }
 
+// The token at `position`, quoted for a message: truncated.
+std::string quoted(const Text& text, const char* position) {
+  constexpr std::size_t max_size = 24;
+  std::string result = "'";
+  const char* p = position;
+  for (; p != text.end() && kind_of(*p) == Character::other && result.size() <= max_size; ++p)
+    result += *p;
+  if (p != text.end() && kind_of(*p) == Character::other) result += "...";
+  return result + "'";
+}
+
 } // namespace
 
 std::string place_of(const Text& text, const char* position) {
@@ -36,14 +47,8 @@ void fail(const Text& text, const char* position, const std::string& message) {
   throw Error(ErrorCode::input, place_of(text, position), message);
 }
 
-std::string quoted(const Text& text, const char* position) {
-  constexpr std::size_t max_size = 24;
-  std::string result = "'";
-  const char* p = position;
-  for (; p != text.end() && kind_of(*p) == Character::other && result.size() <= max_size; ++p)
-    result += *p;
-  if (p != text.end() && kind_of(*p) == Character::other) result += "...";
-  return result + "'";
+void Lexer::refuse(const char* position, const std::string& message) const {
+  fail(*text_, position, quoted(*text_, position) + message);
 }
 
 // The slow path of plain_number: exponents, a leading plus, many digits; and errors.
@@ -60,25 +65,22 @@ double Lexer::other_number(const char* syntax) {
   if (digits != position_ && (is_digit(*digits) || *digits == '.'))
     read = std::from_chars(has_plus ? digits : start, position_, value);
   if (read.ec == std::errc::invalid_argument || read.ptr != position_)
-    fail(*text_, start,
-         fmt::format("{} where a number is expected: write `{}`", quoted(*text_, start), syntax));
+    refuse(start, fmt::format(" where a number is expected: write `{}`", syntax));
   if (read.ec != std::errc{} || !std::isfinite(value) || (value == 0 && has_nonzero_digit(token)))
-    fail(*text_, start,
-         quoted(*text_, start) + " is out of a double's range: write a number from 1e-307 to 1e307");
+    refuse(start, " is out of a double's range: write a number from 1e-307 to 1e307");
   return value;
 }
 
 void Lexer::check_bound(double value, const char* start) const {
   if (std::abs(value) > max_coordinate)
-    fail(*text_, start, quoted(*text_, start) + " is too large: scale the scene to coordinates within 1e100");
+    refuse(start, " is too large: scale the scene to coordinates within 1e100");
 }
 
 float Lexer::factor(const char* syntax) {
   const char* const start = next();
   const double value = number(syntax);
   if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max()))
-    fail(*text_, start,
-         quoted(*text_, start) + " is too large: colours and coefficients must be within 3.4e38");
+    refuse(start, " is too large: colours and coefficients must be within 3.4e38");
   return static_cast<float>(value) + 0.0F; // never -0
 }
 
@@ -86,9 +88,7 @@ std::uint64_t Lexer::whole(std::uint64_t min, std::uint64_t max, const char* syn
   const char* const start = next();
   const double value = number(syntax);
   if (!(value >= static_cast<double>(min) && value <= static_cast<double>(max)) || value != std::floor(value))
-    fail(*text_, start,
-         fmt::format("{} is no whole number from {} to {}: write `{}`", quoted(*text_, start), min, max,
-                     syntax));
+    refuse(start, fmt::format(" is no whole number from {} to {}: write `{}`", min, max, syntax));
   return static_cast<std::uint64_t>(value);
 }
 

@@ -24,9 +24,6 @@ std::string place_of(const Text& text, const char* position);
 // Throws Error(input, its place, message).
 [[noreturn]] void fail(const Text& text, const char* position, const std::string& message);
 
-// The token at `position`, quoted for a message: truncated.
-std::string quoted(const Text& text, const char* position);
-
 enum class Character : std::uint8_t { other, blank, comment };
 
 inline constexpr std::array<Character, 256> character_kinds = [] {
@@ -79,6 +76,8 @@ public:
   double coordinate(const char* syntax);
   // A number in the range of float32.
   float factor(const char* syntax);
+  // Throws Error(input, its place, the token at `position` and `message`).
+  [[noreturn]] void refuse(const char* position, const std::string& message) const;
   // A whole number from `min` to `max`.
   std::uint64_t whole(std::uint64_t min, std::uint64_t max, const char* syntax);
 

@@ -37,9 +37,7 @@ Vec3f read_color(Lexer& lexer, const char* syntax) {
 float read_unsigned_factor(Lexer& lexer, const char* syntax) {
   const char* const position = lexer.next();
   const float value = lexer.factor(syntax);
-  if (value < 0)
-    fail(lexer.text(), position,
-         quoted(lexer.text(), position) + " is negative: Kd, Ks, shine and T must be 0 or more");
+  if (value < 0) lexer.refuse(position, " is negative: Kd, Ks, shine and T must be 0 or more");
   return value;
 }
 
@@ -55,8 +53,7 @@ double read_angle(Lexer& lexer) {
   const char* const position = lexer.next();
   const double angle = lexer.number(syntax_view);
   if (!(angle > 0 && angle < 180))
-    fail(lexer.text(), position,
-         quoted(lexer.text(), position) + " is no view angle: give degrees between 0 and 180");
+    lexer.refuse(position, " is no view angle: give degrees between 0 and 180");
   return angle;
 }
 
@@ -183,9 +180,8 @@ std::uint64_t read_vertex_count(Lexer& lexer, std::uint64_t numbers_each, const 
   // A number takes two characters or more: a blank and a digit.
   const auto left = static_cast<std::uint64_t>(lexer.text().end() - position) + lexer.text().bytes_after;
   if (count > left / (2 * numbers_each))
-    fail(lexer.text(), position,
-         quoted(lexer.text(), position) + " vertices are more than the rest of the text can hold: "
-                                          "correct the count, or complete the file");
+    lexer.refuse(position, " vertices are more than the rest of the text can hold: correct the count, or "
+                           "complete the file");
   return count;
 }
 
@@ -241,12 +237,9 @@ void read_entity(Reader& reader) {
     reader.piece.background = read_color(reader.lexer, syntax_background);
     return;
   }
-  const Text& text = reader.lexer.text();
   if (is_number_start(*position))
-    fail(text, position,
-         quoted(text, position) + " is one number too many: start an entity with v b l f c s p or pp");
-  fail(text, position,
-       quoted(text, position) + " is no NFF entity: use v b l f c s p or pp, and # for comments");
+    reader.lexer.refuse(position, " is one number too many: start an entity with v b l f c s p or pp");
+  reader.lexer.refuse(position, " is no NFF entity: use v b l f c s p or pp, and # for comments");
 }
 
 } // namespace

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 namespace masu::spd {
@@ -32,20 +32,12 @@ void flush(NffWriter& nff) {
   if (nff.progress) nff.progress(nff.objects);
 }
 
-void append_number(std::string& text, double x) {
-  if (std::abs(x) < smallest) x = 0;
-  char digits[32]; // more than enough for `%g` of six significant digits
-  const auto end = std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 6).ptr;
-  text.append(digits, end);
-}
-
 void put_line(NffWriter& nff, std::string_view keyword, std::initializer_list<double> numbers) {
   nff.text += keyword;
   const char* separator = keyword.empty() ? "" : " ";
-  for (const double x : numbers) {
-    nff.text += std::exchange(separator, " ");
-    append_number(nff.text, x);
-  }
+  for (const double x : numbers)
+    fmt::format_to(std::back_inserter(nff.text), "{}{:.6g}", std::exchange(separator, " "),
+                   std::abs(x) < smallest ? 0 : x);
   nff.text += '\n';
   if (nff.text.size() >= block) flush(nff);
 }
