@@ -47,13 +47,13 @@ TradeoffSetup setup_of(const Settings& settings, bool cuda) {
   return setup;
 }
 
-// The configurations of one grid.
-struct GridPlan {
-  StructureKind merge;
-  std::string division;
-  Overlap overlap;
-  std::vector<Configuration> configurations;
-};
+// The configurations of one grid: precisions and stop rules.
+using GridPlan = std::vector<Configuration>;
+
+template <class T>
+bool contains(const std::vector<T>& all, const T& one) {
+  return std::ranges::find(all, one) != all.end();
+}
 
 // All configurations, each once, in the order of the CSV's rows. Scenes stored in float64 have only double
 // precision. Throws Error(usage) for an invalid division.
@@ -61,18 +61,20 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   std::vector<GridPlan> plan;
   const auto add = [&](const Configuration& c) {
     if (float64 && c.precision != Precision::doubled) return;
-    auto grid = std::find_if(plan.begin(), plan.end(), [&](const GridPlan& g) {
+    auto grid = std::ranges::find_if(plan, [&](const GridPlan& planned) {
+      const Configuration& g = planned.front();
       return g.merge == c.merge && g.division == c.division && g.overlap == c.overlap;
     });
-    if (grid == plan.end()) grid = plan.insert(plan.end(), {c.merge, c.division, c.overlap, {}});
-    auto& all = grid->configurations;
-    if (std::find(all.begin(), all.end(), c) == all.end()) all.push_back(c);
+    if (grid == plan.end())
+      plan.push_back({c});
+    else if (!contains(*grid, c))
+      grid->push_back(c);
   };
   for (const std::string& merge : settings.merges) {
     // A hierarchy has no division, no overlap test and no cells.
     if (named<StructureKind>(merge) == StructureKind::hierarchy) {
       for (const std::string& precision : settings.precisions)
-        if (std::find(settings.stops.begin(), settings.stops.end(), "proven") != settings.stops.end())
+        if (contains<std::string>(settings.stops, "proven"))
           add({named<Precision>(precision), StopRule::proven, StructureKind::hierarchy, "auto",
                Overlap::exact});
       continue;
@@ -88,23 +90,22 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
                  named<Overlap>(overlap)});
     }
   }
-  const auto& precisions = settings.precisions;
-  const bool robust = std::find(precisions.begin(), precisions.end(), "robust") != precisions.end();
+  const bool robust = contains<std::string>(settings.precisions, "robust");
   for (const std::string& division : settings.curve) {
     static_cast<void>(parse_division(division));
     add({float64  ? Precision::doubled
          : robust ? Precision::robust
-                  : named<Precision>(precisions.front()),
+                  : named<Precision>(settings.precisions.front()),
          StopRule::proven, StructureKind::uniform, division, Overlap::exact});
   }
   return plan;
 }
 
-StructureFile built(const SceneFile& scene, const GridPlan& plan) {
+StructureFile built(const SceneFile& scene, const Configuration& grid) {
   BuildOptions options;
-  options.division = parse_division(plan.division);
-  options.structure.kind = plan.merge;
-  options.overlap = plan.overlap;
+  options.division = parse_division(grid.division);
+  options.structure.kind = grid.merge;
+  options.overlap = grid.overlap;
   return built_in_memory(scene, options);
 }
 
@@ -144,12 +145,12 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
     static_cast<void>(resolved(named<Precision>(settings.precisions.front()), scene)); // throws
   std::size_t to_do = 0;
   for (GridPlan& grid : plan) {
-    std::erase_if(grid.configurations, [&](const Configuration& c) {
+    std::erase_if(grid, [&](const Configuration& c) {
       return std::any_of(rows.begin(), rows.end(), [&](const TradeoffRow& row) {
         return row.scene == name && row.scene_hash == hash && row.setup == setup && row.configuration == c;
       });
     });
-    to_do += grid.configurations.size();
+    to_do += grid.size();
   }
   if (to_do == 0) return;
   Progress progress(name.c_str());
@@ -157,10 +158,10 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
   double done = 0;
   const auto step = [&] { progress(++done / static_cast<double>(to_do + 1)); };
   step();
-  for (const GridPlan& plan_of_grid : plan) {
-    if (plan_of_grid.configurations.empty()) continue;
-    const StructureFile grid = built(scene, plan_of_grid);
-    for (const Configuration& configuration : plan_of_grid.configurations) {
+  for (const GridPlan& configurations : plan) {
+    if (configurations.empty()) continue;
+    const StructureFile grid = built(scene, configurations.front());
+    for (const Configuration& configuration : configurations) {
       rows.push_back({name, hash, setup, configuration, measure(task, grid, configuration)});
       csv.add(rows.back());
       step();
@@ -270,10 +271,8 @@ void bench_tradeoff(const Settings& settings, Output& output) {
   std::map<std::string, std::string> hashes;
   for (const std::string& scene : settings.scenes) { // errors first, before the measurements
     const SceneFile file(scene);
-    const auto& precisions = settings.precisions;
-    if (std::find(precisions.begin(), precisions.end(), "double") == precisions.end())
-      static_cast<void>(
-          resolved(named<Precision>(precisions.front()), file)); // throws where the scene doesn't allow it
+    if (!contains<std::string>(settings.precisions, "double")) // throws where the scene doesn't allow it
+      static_cast<void>(resolved(named<Precision>(settings.precisions.front()), file));
     static_cast<void>(resized(file.camera(), setup.size));
     static_cast<void>(resized(file.camera(), setup.picture));
     hashes[name_of_scene(scene)] = to_hex(file.hash());
@@ -296,20 +295,18 @@ void add_options(const CommandLine& command, Settings& settings) {
       .type_name("FOLDER")
       .required();
   add_backend(command, settings.backend);
-  const auto add_list = [&](const char* option, std::vector<std::string>& list, const char* help,
-                            const std::set<std::string>& among = {}) {
-    const Option added =
-        command.add_option(option, list, help).type_name("LIST").comma_separated().shows_default();
-    if (!among.empty()) added.among(among);
+  const auto add_list = [&](const char* option, std::vector<std::string>& list, const char* help) {
+    return command.add_option(option, list, help).type_name("LIST").comma_separated().shows_default();
   };
-  add_list("--precisions", settings.precisions, "precisions (see gridrender --help)", {"robust", "double"});
-  add_list("--stop-rules", settings.stops,
-           "when a ray terminates: proven (no closer hit is possible), first-cell-hit (at the first cell in "
-           "which anything is hit)",
-           {"proven", "first-cell-hit"});
-  add_list("--merges", settings.merges, "kinds of grid (see gridbuild --help)",
-           {"none", "x", "balance", "irregular", "bvh"});
-  add_list("--overlaps", settings.overlaps, "overlap tests (see gridbuild --help)", {"box", "exact"});
+  const auto add_names = [&](const char* option, std::vector<std::string>& all, const char* help) {
+    add_list(option, all, help).among(std::set<std::string>(all.begin(), all.end()));
+  };
+  add_names("--precisions", settings.precisions, "precisions (see gridrender --help)");
+  add_names("--stop-rules", settings.stops,
+            "when a ray terminates: proven (no closer hit is possible), first-cell-hit (at the first cell in "
+            "which anything is hit)");
+  add_names("--merges", settings.merges, "kinds of grid (see gridbuild --help)");
+  add_names("--overlaps", settings.overlaps, "overlap tests (see gridbuild --help)");
   add_list("--divisions", settings.divisions,
            "divisions (see gridbuild --help); irregular grids always use auto, bvh has none");
   add_list("--curve", settings.curve,

@@ -101,12 +101,6 @@ std::uint32_t row_of(const RayListJob& job) {
   return job.request.query == Query::all_hits ? job.request.limit : 0;
 }
 
-// Of a list whose length may not be known yet: where it is needed, it is.
-PartedForm form_of(const HitFormat& format, std::size_t each, std::uint64_t rays) {
-  return format.parts(
-      chunks_of(rays, each), [each](std::uint64_t chunk) { return chunk * each; }, rays);
-}
-
 // The chunks of a list, each of which is read while those before it are traced: all in their order, or those
 // that this one of several ranks takes.
 class ChunkReader {
@@ -258,7 +252,9 @@ private:
   // Collective.
   void open_hits() {
     const std::uint64_t all = ranks_.count() > 1 ? file_.all_rays() : file_.count().value_or(0);
-    PartedForm form = form_of(format_, rays_per_chunk(job_), all);
+    const std::size_t each = rays_per_chunk(job_);
+    PartedForm form = format_.parts(
+        chunks_of(all, each), [each](std::uint64_t chunk) { return chunk * each; }, all);
     if (ranks_.count() > 1) {
       shared_.emplace(job_.hits, std::move(form), ranks_);
       return;
