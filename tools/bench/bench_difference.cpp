@@ -8,7 +8,6 @@
 #include "tools/common/version.h"
 #include "tools/draw/value_picture.h"
 
-
 #include <cmath>
 #include <limits>
 #include <memory>

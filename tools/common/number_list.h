@@ -25,15 +25,6 @@ inline std::vector<std::string> split(const std::string& text) {
   return words;
 }
 
-// Nothing where the text isn't exactly one.
-template <class Number>
-std::optional<Number> read_number(std::string_view text) {
-  Number number{};
-  const char* const text_end = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), text_end, number);
-  return error == std::errc() && end == text_end ? std::optional(number) : std::nullopt;
-}
-
 // False where the text isn't exactly so many.
 template <class Number, std::size_t count>
 bool read_numbers(std::string_view text, char separator, std::array<Number, count>& numbers) {
@@ -46,6 +37,13 @@ bool read_numbers(std::string_view text, char separator, std::array<Number, coun
     next = stop;
   }
   return next == end;
+}
+
+// Nothing where the text isn't exactly one.
+template <class Number>
+std::optional<Number> read_number(std::string_view text) {
+  std::array<Number, 1> number{};
+  return read_numbers(text, ',', number) ? std::optional(number[0]) : std::nullopt;
 }
 
 // With commas. Throws Error(usage, option, …) for what isn't of the form, such as "X,Y".

@@ -49,8 +49,7 @@ std::vector<int> gpus_of_machine(const DeviceChoice& choice, Ranks& ranks) {
       throw Error(ErrorCode::device, devices_option,
                   fmt::format("GPU {} isn't there: the last of {} is {}", gpu, count, count - 1));
   }
-  if (!named.empty()) return named;
-  return numbers_below(count);
+  return named.empty() ? numbers_below(count) : named;
 }
 
 } // namespace
@@ -65,11 +64,6 @@ std::vector<int> gpus_of(const DeviceChoice& choice, Ranks& ranks) {
   for (std::size_t i = rank; i < all.size(); i += count)
     mine.push_back(all[i]);
   return mine;
-}
-
-std::string devices_name(const std::vector<int>& gpus) {
-  const std::string one = device_name(!gpus.empty());
-  return gpus.size() > 1 ? fmt::format("{} × {}", gpus.size(), one) : one;
 }
 
 } // namespace masu

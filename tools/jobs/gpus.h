@@ -4,7 +4,6 @@
 #include "tools/common/tracing_options.h"
 #include "tools/jobs/ranks.h"
 
-#include <string>
 #include <vector>
 
 namespace masu {
@@ -15,8 +14,5 @@ namespace masu {
 // Collective. Ranks of one machine share its GPUs out: by default all of them. Where they are chosen
 // automatically, all ranks trace on GPUs, or all on CPUs.
 std::vector<int> gpus_of(const DeviceChoice& choice, Ranks& ranks);
-
-// The CPU's name and number of threads, or the first GPU's name and how many they are.
-std::string devices_name(const std::vector<int>& gpus);
 
 } // namespace masu

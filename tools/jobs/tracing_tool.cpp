@@ -89,10 +89,11 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
     print_note("{}: --resume: {} of {} files are there and are kept\n", tool, grouped(report.kept),
                grouped(report.files));
   if (is_kept_whole && is_kept(options.report(), {})) return;
-  const std::string device =
-      devices_name(opened.gpus()) + (ranks.count() > 1 ? fmt::format(", {} ranks", ranks.count()) : "");
+  const std::size_t gpus = opened.gpus().size();
+  const std::string device = (gpus > 1 ? fmt::format("{} × ", gpus) : "") + device_name(gpus > 0) +
+                             (ranks.count() > 1 ? fmt::format(", {} ranks", ranks.count()) : "");
   Json json = provenance();
-  json.update({{"backend", opened.gpus().empty() ? "cpu" : "cuda"}, {"device", device}});
+  json.update({{"backend", gpus == 0 ? "cpu" : "cuda"}, {"device", device}});
   json.update(opened.hashes());
   json["views"] = report.views;
   if (options.resume) json["kept"] = report.kept;
