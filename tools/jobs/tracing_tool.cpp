@@ -99,8 +99,8 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
   if (options.resume) json["kept"] = report.kept;
   json.update(precision_json(report, resolved(options.rules.precision, opened.scene())));
   if (!options.stats.empty()) json.update(counts_report(report.totals.counts));
-  json["seconds"] = {{"map", opened.map_seconds()},
-                     {"validate", opened.validate_seconds()},
+  json["seconds"] = {{"map", opened.load_seconds(&LoadSeconds::map)},
+                     {"validate", opened.load_seconds(&LoadSeconds::validate)},
                      {"upload", report.seconds.upload + opened.tracer().upload_seconds()},
                      {"trace", report.seconds.trace},
                      {"download", report.seconds.download},

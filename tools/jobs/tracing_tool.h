@@ -33,14 +33,12 @@ public:
   const ResidentTracer& tracer() const { return tracer_; }
   const std::vector<int>& gpus() const { return gpus_; }
   nlohmann::ordered_json hashes() const; // {scene_hash, grid_hash}: null without a grid
-  double map_seconds() const { return sum_of(&LoadSeconds::map); }
-  double validate_seconds() const { return sum_of(&LoadSeconds::validate); }
-
-private:
-  double sum_of(double LoadSeconds::*part) const {
+  // Of both files together.
+  double load_seconds(double LoadSeconds::*part) const {
     return scene_.load_seconds().*part + (grid_ ? grid_->load_seconds().*part : 0);
   }
 
+private:
   const MappingFaults faults_;
   const std::vector<int> gpus_;
   const SceneFile scene_;

@@ -386,7 +386,7 @@ class Tracer(Resource):
             raise ValueError("{}: the shape {} is needed, not {}".format(
                 name, " or ".join("(..., {})".format(number) for number in numbers), shape))
         if gpu is None and stream is not None:
-            raise ValueError("stream: it is for rays on a GPU, and these are in host memory")
+            raise ValueError("stream: it is for {} on a GPU, and these are in host memory".format(name))
         if gpu is not None and gpu not in self._gpus:
             raise ValueError("{} are on {}, the tracer on {}: copy them, or open a tracer there".format(
                 name, _device_name([gpu]), self.device))
