@@ -55,7 +55,7 @@ struct ClosestSearch {
   }
 
 private:
-  // Whether its bounding box is: a triangle's costs a third of finding its closest point.
+  // Whether a triangle's bounding box is, which takes less than to find its closest point.
   template <class Primitive>
   bool is_farther(const Primitive& primitive) const {
     if constexpr (std::is_same_v<Primitive, Triangle<double>>) {
@@ -112,8 +112,8 @@ inline void prefetch_likely(const HierarchyView<Real>& hierarchy, const Hierarch
 #endif
 
 // Depth first from a node on, of each node the nearest boxes first; by whatever has `place`, `farthest`, and
-// what references are shown to (hierarchy_walk.h). A level takes two numbers: a device keeps all levels for
-// each of its threads.
+// what references are shown to (hierarchy_walk.h). A device keeps all levels for each of its threads: there
+// one takes two numbers.
 template <class Hierarchy, class Search>
 MASU_HD inline void search(const Hierarchy& hierarchy, Search& search, std::uint32_t root = 0) {
   if (show_item(hierarchy, root, search)) return;

@@ -382,9 +382,8 @@ class Tracer(Resource):
         arrays, rays = _arrays.recognize(name, given[name], stream)
         gpu = arrays.gpu(rays, name)
         shape = tuple(rays.shape)
-        if not shape or shape[-1] not in numbers:
-            raise ValueError("{}: the shape {} is needed, not {}".format(
-                name, " or ".join("(..., {})".format(number) for number in numbers), shape))
+        _arrays.check_shape(name, rays, bool(shape) and shape[-1] in numbers,
+                            " or ".join("(..., {})".format(number) for number in numbers))
         if gpu is None and stream is not None:
             raise ValueError("stream: it is for {} on a GPU, and these are in host memory".format(name))
         if gpu is not None and gpu not in self._gpus:

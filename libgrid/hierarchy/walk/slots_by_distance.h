@@ -4,9 +4,7 @@
 
 #include "libgrid/hierarchy/hierarchy.h"
 #ifdef MASU_HOST_AVX2
-#include "libscene/geometry/lanes.h"
-
-#include <bit>
+#include "libgrid/hierarchy/walk/boxes_avx2.h"
 #endif
 
 namespace masu {
@@ -16,7 +14,7 @@ namespace masu {
 // Slots of a node by the squared distances of their boxes. Of those not taken yet, keys_ has the highest
 // bits, without the sign; else all bits are set.
 class SlotsByDistance {
-  alignas(32) double squared_[boxes_per_node]; // of even slots, then of odd ones
+  alignas(32) double squared_[boxes_per_node];
   __m128i keys_;
   static constexpr int dropped = 47;
 
@@ -25,30 +23,26 @@ class SlotsByDistance {
 public:
   SlotsByDistance() = default;
   SlotsByDistance(const HierarchyNode& node, const Vec3d& place, double) {
-    Lanes<double> even = 0.0, odd = 0.0;
-    const auto load = [](const std::uint32_t(&eight)[2]) {
-      return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(eight));
-    };
+    Lanes<double> sums[] = {0.0, 0.0}; // of the first four slots, of the others
     for (int axis = 0; axis < 3; ++axis) {
       const Lanes<double> unit = static_cast<double>(float_of((node.exponents >> (8 * axis) & 0xff) << 23)),
                           from = place[axis] - static_cast<double>(node.origin[axis]);
-      const __m128i low = _mm_cvtepu16_epi32(load(node.low[axis])),
-                    high = _mm_cvtepu16_epi32(load(node.high[axis]));
-      const auto add = [&](Lanes<double>& sum, __m128i lows, __m128i highs) {
-        const Lanes<double> below = unit * _mm256_cvtepi32_pd(lows) - from,
-                            above = from - unit * _mm256_cvtepi32_pd(highs);
+      const Floats8 low(_mm256_cvtepi32_ps(eight_bytes(node.low[axis]))),
+          high(_mm256_cvtepi32_ps(eight_bytes(node.high[axis])));
+      for (const std::size_t half : {0, 1}) {
+        const Lanes<double> below = unit * part_of<double>(low, 4 * half) - from,
+                            above = from - unit * part_of<double>(high, 4 * half);
         const Lanes<double> away = max(max(below, above), Lanes<double>(0.0));
-        sum = fma(away, away, sum);
-      };
-      const __m128i byte = _mm_set1_epi32(0xff);
-      add(even, _mm_and_si128(low, byte), _mm_and_si128(high, byte));
-      add(odd, _mm_srli_epi32(low, 8), _mm_srli_epi32(high, 8));
+        sums[half] = fma(away, away, sums[half]);
+      }
     }
-    even.store(squared_);
-    odd.store(squared_ + 4);
-    const __m256i both = _mm256_or_si256(key(even), _mm256_slli_epi64(key(odd), 32));
-    keys_ = _mm_packus_epi32(_mm256_castsi256_si128(both), _mm256_extracti128_si256(both, 1)) |
-            _mm_cvtepi8_epi16(_mm_cmpeq_epi8(load(node.slots), _mm_setzero_si128()));
+    sums[0].store(squared_);
+    sums[1].store(squared_ + 4);
+    const __m256i both = _mm256_or_si256(key(sums[0]), _mm256_slli_epi64(key(sums[1]), 32)); // in turn
+    const __m128i in_turn = _mm_packus_epi32(_mm256_castsi256_si128(both), _mm256_extracti128_si256(both, 1));
+    keys_ = _mm_shuffle_epi8(in_turn, _mm_setr_epi8(0, 1, 4, 5, 8, 9, 12, 13, 2, 3, 6, 7, 10, 11, 14, 15));
+    const __m128i held = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.slots));
+    keys_ |= _mm_cvtepi8_epi16(_mm_cmpeq_epi8(held, _mm_setzero_si128()));
   }
   // Which is likely to be taken next; any where there is none.
   std::uint32_t likely() const {
@@ -62,7 +56,7 @@ public:
       if ((nearest & 0xffff) > std::bit_cast<std::uint64_t>(farthest) >> dropped) return false;
       keys_ |=
           _mm_cmpeq_epi16(_mm_set1_epi16(static_cast<short>(slot)), _mm_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7));
-      if (squared_[(slot & 1) * 4 + slot / 2] <= farthest) return true;
+      if (squared_[slot] <= farthest) return true;
     }
   }
 };
