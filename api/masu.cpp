@@ -56,10 +56,10 @@ struct State {
 } // namespace
 
 struct masu_tracer {
-  std::shared_ptr<const masu::SceneVertices> vertices;
+  masu::SceneVertices vertices;
   std::mutex update; // one after the other
 
-  masu_tracer(std::shared_ptr<const masu::SceneVertices> vertices_, std::shared_ptr<const State> state)
+  masu_tracer(masu::SceneVertices vertices_, std::shared_ptr<const State> state)
       : vertices(std::move(vertices_)), state_(std::move(state)) {}
 
   // A query keeps the one that it begins with.
@@ -215,7 +215,7 @@ std::shared_ptr<const State> soonest(const std::shared_ptr<const SceneFile>& sce
                                      const std::function<void(double)>& progress) {
   const bool fits =
       scene->primitive_count() <= max_hierarchy_primitives &&
-      scene->with_view([&]<class Stored>(const SceneView<Stored>&) {
+      scene->with_view_but_triangles([&]<class Stored>(const SceneView<Stored>&) {
         return fits_hierarchy(layout_in<Stored>(scene->bounds(), {1, 1, 1}, SpaceRule::tight).space);
       });
   if (fits) return with_fast_hierarchy(scene, gpus, progress);
@@ -316,7 +316,8 @@ Vertices vertices_of(const masu_vertices& given, const SceneVertices& scene) {
   if (given.count != scene.count)
     fail("vertices", fmt::format("are {}, the scene was made of {}", given.count, scene.count));
   return {ready(given.values, given.stream, "vertices"), ready(given.values64, given.stream, "vertices"),
-          given.count, scene.indices};
+          given.count,
+          scene.indices ? std::span<const std::uint32_t>(*scene.indices) : std::span<const std::uint32_t>()};
 }
 
 PlacementMoves moves_of(const masu_transforms& given) {
@@ -404,7 +405,7 @@ masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertice
     if (before->placed() != nullptr) fail("tracer", "is of placed meshes: masu_tracer_place() moves them");
     // Isolated, or a thread that waits might take another task of the program that updates.
     tbb::this_task_arena::isolate(
-        [&] { tracer->set_state(moved(*before, vertices_of(given, *tracer->vertices))); });
+        [&] { tracer->set_state(moved(*before, vertices_of(given, tracer->vertices))); });
   });
 }
 

@@ -3,8 +3,8 @@
 
 #include "libgrid/file/structure_file.h"
 #include "libgrid/placed/placed_scene.h"
-#include "libscene/base/host_array.h"
 #include "libscene/file/scene_file.h"
+#include "libscene/mesh/indexed_mesh.h"
 #include "masu.h"
 #include "renderer/tracer/tracer.h"
 
@@ -16,7 +16,7 @@ namespace masu {
 // A scene's vertices as its arrays had them, through all meshes; as a file has them, three per triangle.
 struct SceneVertices {
   std::uint64_t count = 0;
-  HostArray<std::uint32_t> indices{}; // three per triangle; empty: one after the other
+  std::shared_ptr<const MeshTriangles::Indices> indices{}; // three per triangle; none: one after the other
 };
 
 } // namespace masu
@@ -25,7 +25,7 @@ struct SceneVertices {
 struct masu_scene {
   std::shared_ptr<const masu::SceneFile> file; // in memory; or
   std::shared_ptr<const masu::PlacedScene> placed;
-  std::shared_ptr<const masu::SceneVertices> vertices;
+  masu::SceneVertices vertices;
 
   // Throws Error(usage, "scene", …) for placed meshes, which aren't a file.
   const masu::SceneFile& as_file() const;

@@ -11,8 +11,6 @@
 #include "objects.h"
 #include "renderer/precision.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -78,8 +76,7 @@ std::shared_ptr<const SceneFile> shared(SceneFile file) {
   return std::make_shared<const SceneFile>(std::move(file));
 }
 std::unique_ptr<masu_scene> held(SceneFile file, SceneVertices vertices) {
-  return std::make_unique<masu_scene>(masu_scene{shared(std::move(file)), nullptr,
-                                                 std::make_shared<const SceneVertices>(std::move(vertices))});
+  return std::make_unique<masu_scene>(masu_scene{shared(std::move(file)), nullptr, std::move(vertices)});
 }
 
 // Made of the meshes, and of what stands beside them.
@@ -108,8 +105,7 @@ std::unique_ptr<masu_scene> placed(const masu_geometry& given, std::span<const I
   const Boxd box = join(scene->box(zero), bounds(beside));
   scene->beside = shared(
       scene_in_memory(beside, store, origin_for(beside, origin ? origin : automatic_origin(box)), progress));
-  return std::make_unique<masu_scene>(
-      masu_scene{nullptr, std::move(scene), std::make_shared<const SceneVertices>()});
+  return std::make_unique<masu_scene>(masu_scene{nullptr, std::move(scene), {}});
 }
 
 // `box`: around all of it.
@@ -129,7 +125,7 @@ masu_scene_description described(const PlacedScene& scene, const Boxd& box) {
 }
 masu_scene_description described(const SceneFile& file) {
   masu_scene_description described{};
-  file.with_view([&](const auto& view) {
+  file.with_view_but_triangles([&](const auto& view) {
     described.triangles = view.triangle_count;
     described.spheres = view.sphere_count;
     described.cones = view.cone_count;
@@ -139,31 +135,6 @@ masu_scene_description described(const SceneFile& file) {
   described.error_bound = error_bound(file, Precision::automatic);
   described.bytes = file.bytes();
   return described;
-}
-
-// Where all meshes' vertices are one list. Of checked meshes.
-SceneVertices vertices_of(const std::vector<IndexedMesh>& meshes) {
-  SceneVertices all;
-  std::size_t triangles = 0;
-  bool are_indexed = false;
-  for (const IndexedMesh& mesh : meshes) {
-    all.count += mesh.vertices;
-    triangles += mesh.triangles;
-    are_indexed = are_indexed || mesh.indices != nullptr || mesh.vertices != 3 * mesh.triangles;
-  }
-  if (!are_indexed) return all;
-  if (all.count > std::uint64_t{1} << 32) fail("meshes", "have more vertices than can be numbered");
-  all.indices.resize(3 * triangles);
-  std::size_t first_vertex = 0;
-  auto* indices = all.indices.data();
-  for (const IndexedMesh& mesh : meshes) {
-    tbb::parallel_for(std::size_t{0}, 3 * mesh.triangles, [&](std::size_t i) {
-      indices[i] = static_cast<std::uint32_t>(first_vertex + (mesh.indices != nullptr ? mesh.indices[i] : i));
-    });
-    indices += 3 * mesh.triangles;
-    first_vertex += mesh.vertices;
-  }
-  return all;
 }
 
 masu_faults faults_of(const MeshFaults& found) {
@@ -183,7 +154,7 @@ SceneFile moved_scene(const SceneFile& scene, const SceneView<Stored>& view, con
   HostCopies copies;
   TbbExecutor executor;
   const std::uint32_t* const indices = vertices.indices.empty() ? nullptr : vertices.indices.data();
-  const MovedVertices<Number> in_host{copies.of(numbers, 3 * vertices.count), indices, scene.origin()};
+  const WorldVertices<Number> in_host{copies.of(numbers, 3 * vertices.count), indices, scene.origin()};
   const auto moved = moved_triangles(executor, view, in_host, nullptr, 0, max_hierarchy_reach);
   return scene.with_triangles(std::span<const Triangle<Stored>>(moved.triangles), moved.bounds);
 }
@@ -225,9 +196,10 @@ masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene)
     const auto cones = arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones", copies);
     if (given.placement_count > 0)
       return placed(given, meshes, scene_of({}, spheres, cones), store, origin, &progress);
-    SceneFile file = scene_in_memory(scene_of(meshes, spheres, cones, &progress), store, origin, &progress);
+    const ArrayScene arrays = scene_of(meshes, spheres, cones, &progress);
+    SceneFile file = scene_in_memory(arrays, store, origin, &progress);
     progress.check();
-    return held(std::move(file), vertices_of(meshes));
+    return held(std::move(file), {arrays.triangles.vertices().count, arrays.triangles.indices()});
   });
 }
 
@@ -236,9 +208,8 @@ masu_status masu_scene_read(const char* path, masu_scene** scene) {
     check_processor();
     require(path, "path");
     SceneFile file(path);
-    SceneVertices vertices;
-    file.with_view([&](const auto& view) { vertices.count = 3 * std::uint64_t{view.triangle_count}; });
-    return held(std::move(file), std::move(vertices));
+    const std::uint64_t triangles = file.with_view([](const auto& view) { return view.triangle_count; });
+    return held(std::move(file), {3 * triangles, nullptr});
   });
 }
 

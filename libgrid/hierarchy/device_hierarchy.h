@@ -12,9 +12,9 @@ template <class Stored>
 StructureIn<CudaMemory> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout,
                                        cudaMemPool_t pool, int gpu, const ProgressMonitor* progress);
 
-// Vertices in the world, where a pass sees them (libscene/mesh/move_passes.h).
+// Vertices in the world, where a pass sees them (libscene/mesh/stored_triangles.h).
 template <class Number>
-struct MovedVertices;
+struct WorldVertices;
 
 // With its scene's triangles.
 template <class Stored>
@@ -29,6 +29,6 @@ struct MovedHierarchy {
 // moved_triangles() does, and Error(usage, "vertices", …) for a scene that reaches farther than a hierarchy.
 template <class Stored, class Number>
 MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const StructureRecords& hierarchy,
-                                       const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu);
+                                       const WorldVertices<Number>& vertices, cudaMemPool_t pool, int gpu);
 
 } // namespace masu

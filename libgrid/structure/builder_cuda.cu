@@ -197,7 +197,7 @@ template StructureIn<CudaMemory> fast_hierarchy(const SceneView<double>&, const 
 
 template <class Stored, class Number>
 MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const StructureRecords& hierarchy,
-                                       const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu) {
+                                       const WorldVertices<Number>& vertices, cudaMemPool_t pool, int gpu) {
   return on_gpu(gpu, nullptr, [&] {
     CudaExecutor executor(pool);
     auto moved = moved_triangles(executor, scene, vertices, hierarchy.references, hierarchy.reference_count,
@@ -216,13 +216,13 @@ MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const Str
   });
 }
 template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const StructureRecords&,
-                                               const MovedVertices<float>&, cudaMemPool_t, int);
+                                               const WorldVertices<float>&, cudaMemPool_t, int);
 template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const StructureRecords&,
-                                               const MovedVertices<double>&, cudaMemPool_t, int);
+                                               const WorldVertices<double>&, cudaMemPool_t, int);
 template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const StructureRecords&,
-                                                const MovedVertices<float>&, cudaMemPool_t, int);
+                                                const WorldVertices<float>&, cudaMemPool_t, int);
 template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const StructureRecords&,
-                                                const MovedVertices<double>&, cudaMemPool_t, int);
+                                                const WorldVertices<double>&, cudaMemPool_t, int);
 
 template <class Stored>
 std::unique_ptr<StructureBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device,

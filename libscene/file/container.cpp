@@ -8,6 +8,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -129,6 +130,20 @@ std::uint64_t for_each_placed(std::span<const SectionData> sections, const Act& 
   return end;
 }
 
+// In memory.
+void make_section(const SectionData& section, std::uint8_t* to, const ProgressMonitor* progress) {
+  constexpr std::uint64_t grain = std::uint64_t{1} << 14;
+  tbb::parallel_for(tbb::blocked_range(std::uint64_t{0}, section.count, grain), [&](const auto& range) {
+    check_progress(progress);
+    const std::uint64_t each = section.record_bytes, first = range.begin(), count = range.size();
+    if (section.convert)
+      section.convert(first, count, to + first * each);
+    else
+      std::memcpy(to + first * each, static_cast<const std::uint8_t*>(section.data) + first * each,
+                  count * each);
+  });
+}
+
 // Zeros between sections: bodies are written as they are.
 void clear_gaps(std::span<const fb::Section> layout, HostBytes& body) {
   std::uint64_t end = 0;
@@ -157,7 +172,7 @@ std::string to_hex(const Hash& hash) {
 std::vector<fb::Section> lay_out(std::span<const SectionData> sections) {
   std::vector<fb::Section> layout;
   for_each_placed(sections, [&](const SectionData& section, std::uint64_t offset) {
-    const Hash hash = hash_of_section(section);
+    const Hash hash = section.is_later ? Hash{} : hash_of_section(section);
     layout.emplace_back(section.kind, section.record_bytes, section.count, offset,
                         fb::Hash(hash.low, hash.high));
   });
@@ -189,17 +204,11 @@ make_container(const FileKind& kind, std::span<const SectionData> sections,
   std::vector<SectionData> made; // in the body
   for_each_placed(sections, [&](const SectionData& section, std::uint64_t offset) {
     std::uint8_t* const to = memory.body.data() + offset;
-    constexpr std::uint64_t grain = std::uint64_t{1} << 14;
-    tbb::parallel_for(tbb::blocked_range(std::uint64_t{0}, section.count, grain), [&](const auto& range) {
-      check_progress(progress);
-      const std::uint64_t each = section.record_bytes, first = range.begin(), count = range.size();
-      if (section.convert)
-        section.convert(first, count, to + first * each);
-      else
-        std::memcpy(to + first * each, static_cast<const std::uint8_t*>(section.data) + first * each,
-                    count * each);
-    });
-    made.push_back({section.kind, section.record_bytes, section.count, to, {}});
+    made.push_back({section.kind, section.record_bytes, section.count, to, {}, section.is_later});
+    if (section.is_later)
+      memory.later = {section.kind, section.record_bytes, section.count, to, section.convert};
+    else
+      make_section(section, to, progress);
   });
   const std::vector<fb::Section> layout = lay_out(made);
   clear_gaps(layout, memory.body);
@@ -249,9 +258,30 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind, Resi
 
 ContainerFile::ContainerFile(ContainerMemory memory, const char* name)
     : path_(name), residence_(Residence::memory), head_(std::move(memory.head)),
-      memory_(std::move(memory.body)), body_(memory_) {}
+      memory_(std::move(memory.body)), body_(memory_) {
+  if (!memory.later) return;
+  later_ = std::make_unique<Later>();
+  later_->section = *std::move(memory.later);
+}
+
+void ContainerFile::make_later() const {
+  // Isolated, or a thread that waits for others' part might take a task that comes here, too.
+  tbb::this_task_arena::isolate([&] {
+    const std::lock_guard lock(later_->mutex);
+    if (later_->is_made.load(std::memory_order_relaxed)) return;
+    SectionData& section = later_->section;
+    make_section(section, static_cast<std::uint8_t*>(const_cast<void*>(section.data)), nullptr);
+    section.convert = {};
+    const Hash hash = hash_of_section(section);
+    *later_->hash = fb::Hash(hash.low, hash.high);
+    Prelude& head = *reinterpret_cast<Prelude*>(const_cast<std::uint8_t*>(head_.data()));
+    head.hash = content_hash(head, table_bytes());
+    later_->is_made.store(true, std::memory_order_release);
+  });
+}
 
 void ContainerFile::write(const std::string& path) const {
+  make_whole();
   OutputFile file(path);
   file.write(head_);
   file.write(body_);

@@ -21,8 +21,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -67,6 +70,7 @@ struct SectionData {
   std::uint64_t count;
   const void* data;
   std::function<void(std::uint64_t, std::uint64_t, void*)> convert{};
+  bool is_later = false; // in memory: made when it is first needed
 };
 
 template <class T>
@@ -74,14 +78,15 @@ SectionData section_data(std::uint32_t kind, std::span<const T> records) {
   return {kind, sizeof(T), records.size(), records.data(), {}};
 }
 
-// Each record is converted(of one in `records`), which must outlive the section.
+// Each record is converted(of one in `records`), which the section keeps.
 template <class Records, class Converted>
-SectionData converted_section_data(std::uint32_t kind, const Records& records, const Converted& converted) {
-  using To = std::decay_t<decltype(converted(records[0]))>;
-  return {kind, sizeof(To), records.size(), nullptr,
-          [&records, converted](std::uint64_t first, std::uint64_t count, void* to) {
+SectionData converted_section_data(std::uint32_t kind, const std::shared_ptr<const Records>& records,
+                                   const Converted& converted) {
+  using To = std::decay_t<decltype(converted((*records)[0]))>;
+  return {kind, sizeof(To), records->size(), nullptr,
+          [records, converted](std::uint64_t first, std::uint64_t count, void* to) {
             for (std::uint64_t i = 0; i != count; ++i)
-              static_cast<To*>(to)[i] = converted(records[first + i]);
+              static_cast<To*>(to)[i] = converted((*records)[first + i]);
           }};
 }
 
@@ -93,10 +98,12 @@ std::vector<fb::Section> lay_out(std::span<const SectionData> sections);
 void write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
                      std::span<const SectionData> sections, std::span<const fb::Section> layout);
 
-// The bytes of a container that is made in memory.
+// The bytes of a container that is made in memory. One section may be made later: its bytes aren't written,
+// and its hash is zero in the table.
 struct ContainerMemory {
   HostBytes head; // prelude and table, up to the body's offset
   HostBytes body;
+  std::optional<SectionData> later{}; // `data`: where its bytes go
 };
 // `table` makes the finished FlatBuffer that lists the sections. What the progress throws ends it.
 ContainerMemory
@@ -171,7 +178,10 @@ public:
   // messages.
   ContainerFile(ContainerMemory memory, const char* name);
 
-  const Hash& hash() const { return prelude().hash; }
+  const Hash& hash() const {
+    make_whole();
+    return prelude().hash;
+  }
   const std::string& path() const { return path_; }
   std::uint64_t bytes() const { return prelude().body_offset + prelude().body_bytes; }
   Residence residence() const { return residence_; }
@@ -179,6 +189,10 @@ public:
   // Throws Error(input, path, …) where the sections are mapped and the file was written since it was opened.
   void check_unchanged() const {
     if (residence_ == Residence::mapping) file_->check_unchanged();
+  }
+  // Makes what was left for later. For threads at the same time.
+  void make_whole() const {
+    if (later_ != nullptr && !later_->is_made.load(std::memory_order_acquire)) make_later();
   }
   // Writes a file of the same bytes, whole or not at all, where the sections are in memory or mapped. Throws
   // Error(output).
@@ -191,6 +205,11 @@ protected:
   // Throws Error(input, path, "<what>: make the file again") unless it is good.
   void check(bool good, const char* what) const {
     if (!good) throw_damaged(path_, what);
+  }
+  // Of the section that is made later, if there is one: where the table has its hash.
+  void set_place_of_later(const fb::Section& section) {
+    if (later_ != nullptr && later_->section.kind == section.kind())
+      later_->hash = const_cast<fb::Hash*>(&section.hash());
   }
   // Whether its records are in memory, and anybody could have written them.
   bool has_records_to_check() const { return file_.has_value() && residence_ != Residence::file; }
@@ -214,7 +233,16 @@ protected:
   }
 
 private:
+  // Of a section that is made when it is first needed.
+  struct Later {
+    std::atomic<bool> is_made = false;
+    std::mutex mutex; // of what follows
+    SectionData section;
+    fb::Hash* hash = nullptr; // in the table
+  };
+
   const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(head_.data()); }
+  void make_later() const;
   // Has a section where it is wanted; returns its hash.
   Hash read_section(const fb::Section& section);
 
@@ -227,6 +255,7 @@ private:
   HostBytes memory_;                   // one of these has the sections,
   FileMapping mapping_;                // or none
   std::span<const std::uint8_t> body_; // of either
+  std::unique_ptr<Later> later_;       // null: all is there
 };
 
 // A container with a verified table, whose sections are of the kinds of an enumeration.
@@ -249,6 +278,8 @@ protected:
     // The list of sections can still be misaligned for its 8-byte numbers.
     check(reinterpret_cast<std::uintptr_t>(sections().data()) % alignof(fb::Section) == 0,
           "its table is damaged");
+    for (const fb::Section& section : sections())
+      set_place_of_later(section);
   }
 
   std::span<const fb::Section> sections() const {

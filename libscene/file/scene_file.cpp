@@ -95,12 +95,19 @@ constexpr Reach reach_of =
 template <class Stored>
 constexpr const char* store_name = std::is_same_v<Stored, float> ? "float32" : "float64";
 
-// Calls act(the sections, what makes the table of their layout).
+// For what the caller keeps.
+template <class T>
+std::shared_ptr<const T> not_owned(const T& of) {
+  return {std::shared_ptr<void>(), &of};
+}
+
+// Calls act(the sections, what makes the table of their layout). That of triangles keeps `triangles`, which
+// are the scene's.
 template <class Stored, class Triangles, class Act>
-auto with_sections(const SceneOf<Triangles>& scene, const Vec3d& origin, const std::string& path,
-                   const Act& act) {
+auto with_sections(const SceneOf<Triangles>& scene, const std::shared_ptr<const Triangles>& triangles,
+                   const Vec3d& origin, const std::string& path, const Act& act) {
   // Records are converted when they are needed: another copy of them all could be too large.
-  const auto stored = [&](const auto& record) {
+  const auto stored = [origin](const auto& record) {
     if constexpr (std::is_same_v<std::decay_t<decltype(record)>, CornerNormals<double>>)
       return converted<Stored>(record);
     else
@@ -110,13 +117,13 @@ auto with_sections(const SceneOf<Triangles>& scene, const Vec3d& origin, const s
     return section_data(number(kind), std::span(records));
   };
   const auto converted_section = [&](fb::SceneSection kind, const auto& records) {
-    return converted_section_data(number(kind), records, stored);
+    return converted_section_data(number(kind), not_owned(records), stored);
   };
   using fb::SceneSection;
   const std::array sections{
       converted_section(SceneSection::lights, scene.lights),
       section(SceneSection::materials, scene.materials),
-      converted_section(SceneSection::triangles, scene.triangles),
+      converted_section_data(number(SceneSection::triangles), triangles, stored),
       converted_section(SceneSection::corner_normals, scene.normals),
       converted_section(SceneSection::spheres, scene.spheres),
       section(SceneSection::sphere_surfaces, scene.sphere_surfaces),
@@ -160,12 +167,13 @@ auto with_sections(const SceneOf<Triangles>& scene, const Vec3d& origin, const s
 
 // With an origin and a store that are chosen where they aren't given.
 template <class Triangles, class Act>
-auto with_sections(const SceneOf<Triangles>& scene, Store store, const std::optional<Vec3d>& wanted,
-                   const std::string& path, const Act& act, const ProgressMonitor* progress = nullptr) {
+auto with_sections(const SceneOf<Triangles>& scene, const std::shared_ptr<const Triangles>& triangles,
+                   Store store, const std::optional<Vec3d>& wanted, const std::string& path, const Act& act,
+                   const ProgressMonitor* progress = nullptr) {
   const Vec3d origin = origin_for(scene, wanted);
   if (store == Store::automatic) store = resolved(store, float32_precision(scene, origin, progress));
-  return store == Store::float32 ? with_sections<float>(scene, origin, path, act)
-                                 : with_sections<double>(scene, origin, path, act);
+  return store == Store::float32 ? with_sections<float>(scene, triangles, origin, path, act)
+                                 : with_sections<double>(scene, triangles, origin, path, act);
 }
 
 bool is_finite(const fb::Vec3& v) {
@@ -223,13 +231,14 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds,
 template <class Triangles>
 Hash write_scene(const SceneOf<Triangles>& scene, Store store, const std::string& path,
                  const std::optional<Vec3d>& wanted) {
-  return with_sections(scene, store, wanted, path, [&](const auto& sections, const auto& table_of) {
+  const auto act = [&](const auto& sections, const auto& table_of) {
     const auto layout = lay_out(sections);
     const std::vector<std::uint8_t> bytes = table_of(layout);
     write_container(path, scene_file_kind, bytes, sections, layout);
     const fb::Scene& table = *fb::GetScene(bytes.data());
     return geometry_hash(layout, *table.bounds(), *table.origin());
-  });
+  };
+  return with_sections(scene, not_owned(scene.triangles), store, wanted, path, act);
 }
 template Hash write_scene(const Scene&, Store, const std::string&, const std::optional<Vec3d>&);
 template Hash write_scene(const ArrayScene&, Store, const std::string&, const std::optional<Vec3d>&);
@@ -237,10 +246,17 @@ template Hash write_scene(const ArrayScene&, Store, const std::string&, const st
 template <class Triangles>
 SceneFile scene_in_memory(const SceneOf<Triangles>& scene, Store store, const std::optional<Vec3d>& wanted,
                           const ProgressMonitor* progress) {
-  const auto act = [&](const auto& sections, const auto& table_of) {
-    return SceneFile(ContainerFile(make_container(scene_file_kind, sections, table_of, progress), "scene"));
+  constexpr bool is_later = std::is_same_v<Triangles, MeshTriangles>;
+  auto triangles = not_owned(scene.triangles);
+  if constexpr (is_later) triangles = std::make_shared<const MeshTriangles>(scene.triangles);
+  const auto act = [&](auto sections, const auto& table_of) {
+    for (SectionData& section : sections)
+      section.is_later = is_later && section.kind == number(fb::SceneSection::triangles);
+    SceneFile file(ContainerFile(make_container(scene_file_kind, sections, table_of, progress), "scene"));
+    if constexpr (is_later) file.unmade_triangles_ = triangles;
+    return file;
   };
-  return with_sections(scene, store, wanted, "scene", act, progress);
+  return with_sections(scene, triangles, store, wanted, "scene", act, progress);
 }
 template SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3d>&, const ProgressMonitor*);
 template SceneFile scene_in_memory(const ArrayScene&, Store, const std::optional<Vec3d>&,
@@ -272,7 +288,6 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
   check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
         "its bounds are invalid");
   read_sections(sections());
-  geometry_hash_ = masu::geometry_hash(sections(), *table_->bounds(), *table_->origin());
 
   const fb::ObjectCounts& counted = *table_->objects();
   const std::uint64_t limit = std::uint64_t{1} << 31;
@@ -283,13 +298,18 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
     view_ = view_of_sections<double>();
   else
     view_ = view_of_sections<float>();
-  with_view([&]<class Stored>(const SceneView<Stored>& view) {
-    const Lighting<Stored> lit = lighting<Stored>();
-    if (!has_records_to_check()) return;
-    const char* const fault = fault_of(HostChecker{}, view, lit, bounds(), counts());
-    check(fault == nullptr, fault);
-  });
+  if (has_records_to_check()) {
+    with_view([&]<class Stored>(const SceneView<Stored>& view) {
+      const char* const fault = fault_of(HostChecker{}, view, lighting<Stored>(), bounds(), counts());
+      check(fault == nullptr, fault);
+    });
+  }
   set_validated();
+}
+
+Hash SceneFile::geometry_hash() const {
+  make_whole();
+  return masu::geometry_hash(sections(), *table_->bounds(), *table_->origin());
 }
 
 SceneCounts SceneFile::counts() const {
@@ -320,7 +340,7 @@ bool SceneFile::has_faces() const {
 }
 
 std::uint64_t SceneFile::primitive_count() const {
-  return with_view([](const auto& view) { return view.primitive_count(); });
+  return with_view_but_triangles([](const auto& view) { return view.primitive_count(); });
 }
 
 template <class Stored>

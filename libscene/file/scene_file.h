@@ -7,10 +7,13 @@
 #include "libscene/scene_view.h"
 #include "schemas/scene_generated.h"
 
+#include <memory>
 #include <string>
 #include <variant>
 
 namespace masu {
+
+class MeshTriangles; // libscene/mesh/indexed_mesh.h
 
 inline constexpr FileKind scene_file_kind{
     {'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 2, "scene", "convert the scene again"};
@@ -51,7 +54,8 @@ Hash write_scene(const SceneOf<Triangles>& scene, Store store, const std::string
 
 class SceneFile;
 
-// The same in memory: a scene file that was never written. The place of its errors is "scene".
+// The same in memory: a scene file that was never written. The place of its errors is "scene". Triangles of
+// meshes are made when somebody first reads them: a GPU makes its own.
 template <class Triangles>
 SceneFile scene_in_memory(const SceneOf<Triangles>& scene, Store store,
                           const std::optional<Vec3d>& origin = {}, const ProgressMonitor* progress = nullptr);
@@ -70,7 +74,7 @@ public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a scene or is damaged.
   explicit SceneFile(const std::string& path, Residence residence = Residence::memory);
 
-  const Hash& geometry_hash() const { return geometry_hash_; }
+  Hash geometry_hash() const;
   std::uint64_t primitive_count() const;
   Vec3d origin() const;  // local_origin.h
   Camera camera() const; // in the world
@@ -92,14 +96,28 @@ public:
   // (is_float64).
   template <class Stored>
   const SceneView<Stored>& view() const {
+    make_whole();
+    return view_but_triangles<Stored>();
+  }
+  // For who reads no triangles: they may be still to be made, from these meshes.
+  template <class Stored>
+  const SceneView<Stored>& view_but_triangles() const {
     return std::get<SceneView<Stored>>(view_);
   }
+  std::shared_ptr<const MeshTriangles> unmade_triangles() const {
+    return unmade_triangles_.lock();
+  } // or none
   template <class Stored>
   Lighting<Stored> lighting() const;
   // What act(the view of the file's own) returns.
   template <class Act>
   auto with_view(const Act& act) const {
-    return is_float64() ? act(view<double>()) : act(view<float>());
+    make_whole();
+    return with_view_but_triangles(act);
+  }
+  template <class Act>
+  auto with_view_but_triangles(const Act& act) const {
+    return is_float64() ? act(view_but_triangles<double>()) : act(view_but_triangles<float>());
   }
 
 private:
@@ -110,7 +128,7 @@ private:
   template <class Stored>
   SceneView<Stored> view_of_sections() const;
 
-  Hash geometry_hash_;
+  std::weak_ptr<const MeshTriangles> unmade_triangles_;    // of the section that is made later
   std::variant<SceneView<float>, SceneView<double>> view_; // made once: a query of one ray needs it, too
 };
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -28,12 +29,23 @@ Found join(const Found& a, const Found& b) {
           std::min(a.least_extent, b.least_extent)};
 }
 
-Found found_in(const IndexedMesh& mesh, std::size_t begin, std::size_t end) {
+// `vertices`: a mesh's own; `indices`: where its own go, for vertices from `first_vertex` on, or null.
+template <class Number>
+Found copied_and_checked(const IndexedMesh& mesh, const Number* vertices, std::size_t first_vertex,
+                         std::uint32_t* indices, std::size_t begin, std::size_t end) {
   Found found;
+  const auto vertex = [=](std::size_t i) {
+    const Number* const v = vertices + 3 * i;
+    return Vec3d{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+  };
   for (std::size_t i = begin; i != end; ++i) {
-    const std::size_t corners[] = {mesh.index(3 * i), mesh.index(3 * i + 1), mesh.index(3 * i + 2)};
+    std::size_t corners[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = mesh.indices != nullptr ? mesh.indices[3 * i + k] : 3 * i + k;
+      if (indices != nullptr) indices[3 * i + k] = static_cast<std::uint32_t>(first_vertex + corners[k]);
+    }
     if (max(corners[0], max(corners[1], corners[2])) >= mesh.vertices) return join(found, Found{i});
-    const Vec3d a = mesh.vertex(corners[0]), b = mesh.vertex(corners[1]), c = mesh.vertex(corners[2]);
+    const Vec3d a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
     if (!is_coordinate(a) || !is_coordinate(b) || !is_coordinate(c)) return join(found, Found{i});
     if (!has_distinct_corners(a, b, c)) continue;
     if (found.first_surface == Found::none) found.first_surface = i;
@@ -42,6 +54,28 @@ Found found_in(const IndexedMesh& mesh, std::size_t begin, std::size_t end) {
     found.least_extent = min(found.least_extent, largest_magnitude(box.max - box.min));
   }
   return found;
+}
+
+// All meshes' numbers, one after the other.
+template <class Number>
+HostArray<Number> joined_numbers(std::span<const IndexedMesh> meshes, std::size_t vertices) {
+  HostArray<Number> all(3 * vertices);
+  Number* to = all.data();
+  for (const IndexedMesh& mesh : meshes) {
+    const auto copy = [&](const auto* from) {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, 3 * mesh.vertices, std::size_t{1} << 15),
+                        [=](const auto& range) {
+                          std::transform(from + range.begin(), from + range.end(), to + range.begin(),
+                                         [](auto number) { return static_cast<Number>(number); });
+                        });
+    };
+    if (mesh.floats != nullptr)
+      copy(mesh.floats);
+    else if (mesh.doubles != nullptr)
+      copy(mesh.doubles);
+    to += 3 * mesh.vertices;
+  }
+  return all;
 }
 
 Material matte(const Vec3f& color) {
@@ -85,26 +119,52 @@ std::size_t sum(const Objects& objects, const Count& count) {
 } // namespace
 
 MeshTriangles::MeshTriangles(std::span<const IndexedMesh> meshes, const ProgressMonitor* progress)
-    : meshes_(meshes), place_(points_without_surface) {
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
-    const IndexedMesh& mesh = meshes[m];
-    const Found found = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, mesh.triangles, 4096), Found{},
-        [&](const auto& range, const Found& before) {
-          check_progress(progress);
-          return join(before, found_in(mesh, range.begin(), range.end()));
-        },
-        [](const Found& a, const Found& b) { return join(a, b); });
-    if (found.wrong != Found::none)
-      throw Error(ErrorCode::usage, "meshes",
-                  fmt::format("mesh {}: triangle {} has a vertex that there isn't, or whose coordinates "
-                              "aren't finite or beyond 1e100",
-                              m, found.wrong));
-    if (is_empty(box_) && !is_empty(found.box)) place_ = mesh.vertex(mesh.index(3 * found.first_surface));
-    box_ = join(box_, found.box);
-    least_extent_ = std::min(least_extent_, found.least_extent);
-    ends_.push_back(size() + mesh.triangles);
+    : place_(points_without_surface) {
+  bool are_doubles = false, are_indexed = false;
+  for (const IndexedMesh& mesh : meshes) {
+    begins_.push_back(size_);
+    size_ += mesh.triangles;
+    vertices_.count += mesh.vertices;
+    are_doubles = are_doubles || mesh.doubles != nullptr;
+    are_indexed = are_indexed || mesh.indices != nullptr || mesh.vertices != 3 * mesh.triangles;
   }
+  if (are_indexed && vertices_.count > std::uint64_t{1} << 32)
+    throw Error(ErrorCode::usage, "meshes", "have more vertices than can be numbered");
+  const auto indices = are_indexed ? std::make_shared<Indices>(3 * size_) : nullptr;
+  std::size_t first_surface = Found::none;
+  const auto take = [&]<class Number>(const Number* Vertices::*numbers) {
+    auto all = std::make_shared<const HostArray<Number>>(joined_numbers<Number>(meshes, vertices_.count));
+    vertices_.*numbers = all->data();
+    std::size_t first_vertex = 0;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      const IndexedMesh& mesh = meshes[m];
+      const Number* const of_mesh = all->data() + 3 * first_vertex;
+      std::uint32_t* const its_indices = are_indexed ? indices->data() + 3 * begins_[m] : nullptr;
+      const Found found = tbb::parallel_reduce(
+          tbb::blocked_range<std::size_t>(0, mesh.triangles, 4096), Found{},
+          [&](const auto& range, const Found& before) {
+            check_progress(progress);
+            return join(before, copied_and_checked(mesh, of_mesh, first_vertex, its_indices, range.begin(),
+                                                   range.end()));
+          },
+          [](const Found& a, const Found& b) { return join(a, b); });
+      if (found.wrong != Found::none)
+        throw Error(ErrorCode::usage, "meshes",
+                    fmt::format("mesh {}: triangle {} has a vertex that there isn't, or whose coordinates "
+                                "aren't finite or beyond 1e100",
+                                m, found.wrong));
+      if (found.first_surface != Found::none)
+        first_surface = std::min(first_surface, begins_[m] + found.first_surface);
+      box_ = join(box_, found.box);
+      least_extent_ = std::min(least_extent_, found.least_extent);
+      first_vertex += mesh.vertices;
+    }
+    numbers_ = std::move(all);
+  };
+  are_doubles ? take(&Vertices::doubles) : take(&Vertices::floats);
+  if (indices) vertices_.indices = *indices;
+  indices_ = indices;
+  if (first_surface != Found::none) place_ = corner(3 * first_surface);
   if (size() > 0 && is_empty(box_)) box_ = {place_, place_};
 }
 

@@ -1,14 +1,18 @@
 // Scenes from arrays: of vertices and indices, spheres, cones.
 #pragma once
 
+#include "libscene/base/host_array.h"
 #include "libscene/base/progress_monitor.h"
 #include "libscene/mesh/triangle_area.h"
+#include "libscene/mesh/vertices.h"
+#include "libscene/passes/executor.h"
 #include "libscene/scene.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace masu {
 
@@ -19,32 +23,24 @@ struct IndexedMesh {
   const double* doubles = nullptr;
   const std::uint32_t* indices = nullptr; // three per triangle; null: vertices follow one another
   Vec3f color{0.8F, 0.8F, 0.8F};          // of the matte material
-
-  MASU_ALWAYS_INLINE std::size_t index(std::size_t corner) const {
-    return indices != nullptr ? indices[corner] : corner;
-  }
-  MASU_ALWAYS_INLINE Vec3d vertex(std::size_t i) const {
-    if (floats != nullptr) return cast<double>(Vec3f{floats[3 * i], floats[3 * i + 1], floats[3 * i + 2]});
-    return {doubles[3 * i], doubles[3 * i + 1], doubles[3 * i + 2]};
-  }
 };
 
 // Triangles in the order of meshes and indices, all of them: one of which two corners coincide keeps its
-// number, and can't be hit (points.h). They are made when they are asked for, and nowhere in memory.
+// number, and can't be hit (points.h). They are made when they are asked for, from a copy of the meshes'
+// arrays in one list, which copies of this share.
 class MeshTriangles {
 public:
+  using Indices = HostArray<std::uint32_t>;
+
   MeshTriangles() = default;
-  // The meshes must outlive it. Throws Error(usage) for an index that is no vertex's, and a coordinate that
-  // isn't finite or beyond 1e100.
+  // Throws Error(usage) for an index that is no vertex's, a coordinate that isn't finite or beyond 1e100, and
+  // more vertices than can be numbered.
   MeshTriangles(std::span<const IndexedMesh> meshes, const ProgressMonitor* progress);
 
-  std::size_t size() const { return ends_.empty() ? 0 : ends_.back(); }
-  MASU_ALWAYS_INLINE SceneTriangle operator[](std::size_t i) const {
-    const std::size_t m = meshes_.size() == 1 ? 0 : mesh_of(i);
-    const IndexedMesh& mesh = meshes_[m];
-    const std::size_t first = 3 * (i - (m > 0 ? ends_[m - 1] : 0));
-    const Vec3d a = mesh.vertex(mesh.index(first)), b = mesh.vertex(mesh.index(first + 1)),
-                c = mesh.vertex(mesh.index(first + 2));
+  std::size_t size() const { return size_; }
+  SceneTriangle operator[](std::size_t i) const {
+    const std::size_t m = begins_.size() == 1 ? 0 : owner_of(begins_.data(), begins_.size(), i);
+    const Vec3d a = corner(3 * i), b = corner(3 * i + 1), c = corner(3 * i + 2);
     if (!has_distinct_corners(a, b, c)) return {place_, m, place_, m, place_, no_normals};
     return {a, m, b, m, c, no_normals};
   }
@@ -53,14 +49,29 @@ public:
   // Of those that have a surface the least one's longest side along an axis; infinite where there are none.
   double least_extent() const { return least_extent_; }
 
+  // What they are made from: all vertices, in doubles where a mesh has them, and indices, where a mesh's
+  // vertices don't follow one another;
+  const Vertices& vertices() const { return vertices_; }
+  std::shared_ptr<const Indices> indices() const { return indices_; }
+  // of each mesh the first triangle; and where those without a surface lie.
+  std::span<const std::uint64_t> begins() const { return begins_; }
+  const Vec3d& place() const { return place_; }
+
 private:
-  std::size_t mesh_of(std::size_t i) const {
-    return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), i) - ends_.begin());
+  Vec3d corner(std::size_t i) const {
+    const std::size_t first = 3 * (vertices_.indices.empty() ? i : vertices_.indices[i]);
+    if (const float* const v = vertices_.floats)
+      return cast<double>(Vec3f{v[first], v[first + 1], v[first + 2]});
+    const double* const v = vertices_.doubles;
+    return {v[first], v[first + 1], v[first + 2]};
   }
 
-  std::span<const IndexedMesh> meshes_;
-  std::vector<std::size_t> ends_; // by mesh, of its triangles
-  Vec3d place_{0, 0, 0};          // of those without a surface
+  std::size_t size_ = 0;
+  Vertices vertices_;                   // in
+  std::shared_ptr<const void> numbers_; // and, where there are any,
+  std::shared_ptr<const Indices> indices_;
+  std::vector<std::uint64_t> begins_;
+  Vec3d place_{0, 0, 0};
   Boxd box_ = empty_box<double>();
   double least_extent_ = std::numeric_limits<double>::infinity();
 };
@@ -75,9 +86,9 @@ struct PrimitiveArray {
 using SphereArray = PrimitiveArray<Sphere<double>>;
 using ConeArray = PrimitiveArray<Cone<double>>;
 
-// First all triangles, of meshes that must outlive the scene; then all spheres, then all cones; objects are
-// numbered in that order. Camera and light are automatic. Throws Error(usage, place, …) as MeshTriangles(),
-// for a sphere or cone without a surface, and for more primitives than a scene may have.
+// First all triangles, then all spheres, then all cones; objects are numbered in that order. Camera and light
+// are automatic. Throws Error(usage, place, …) as MeshTriangles(), for a sphere or cone without a surface,
+// and for more primitives than a scene may have.
 using ArrayScene = SceneOf<MeshTriangles>;
 ArrayScene scene_of(std::span<const IndexedMesh> meshes, std::span<const SphereArray> spheres = {},
                     std::span<const ConeArray> cones = {}, const ProgressMonitor* progress = nullptr);

@@ -7,44 +7,14 @@
 
 #include "libscene/base/error.h"
 #include "libscene/file/scene_file.h"
-#include "libscene/local_origin.h"
 #include "libscene/mesh/points.h"
-#include "libscene/mesh/triangle_area.h"
+#include "libscene/mesh/stored_triangles.h"
 #include "libscene/passes/passes.h"
 #include "libscene/scene_view.h"
 
 #include <string>
 
 namespace masu {
-
-// Vertices in the world, where the executor's code sees them, and triangles between them.
-template <class Number>
-struct MovedVertices {
-  const Number* numbers;        // three per vertex
-  const std::uint32_t* indices; // three per triangle, each a vertex's; null: vertices follow one another
-  Vec3d origin;                 // the scene's
-
-  MASU_HD Vec3d corner(std::uint64_t i) const {
-    const Number* const v = numbers + 3 * (indices != nullptr ? std::uint64_t{indices[i]} : i);
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-  }
-  // Triangle i's corners.
-  MASU_HD Triangle<double> face(std::uint64_t i) const {
-    return {corner(3 * i), 0, corner(3 * i + 1), 0, corner(3 * i + 2), no_normals};
-  }
-};
-
-template <class Stored>
-MASU_HD Vec3<Stored> stored_point(const Vec3d& origin, const Vec3d& point) {
-  return cast<Stored>(relative_to(origin, point));
-}
-template <class Stored>
-MASU_HD Triangle<Stored> stored_triangle(const Vec3d& origin, const Triangle<double>& face) {
-  using Tag = typename Triangle<Stored>::Tag;
-  return {stored_point<Stored>(origin, face.a), static_cast<Tag>(face.object),
-          stored_point<Stored>(origin, face.b), static_cast<Tag>(face.material),
-          stored_point<Stored>(origin, face.c), static_cast<Tag>(face.normals)};
-}
 
 // What primitives will be.
 struct MoveSurvey {
@@ -61,7 +31,7 @@ MASU_HD inline MoveSurvey join(const MoveSurvey& a, const MoveSurvey& b) {
 template <class Stored, class Number>
 struct SurveyOf {
   SceneView<Stored> scene;
-  MovedVertices<Number> vertices;
+  WorldVertices<Number> vertices;
   const std::uint32_t* listed; // the set of what a hierarchy refers to; null: nothing is missing
 
   MASU_HD MoveSurvey operator()(std::uint64_t index) const {
@@ -97,7 +67,7 @@ struct MovedTriangles {
 // Vertices between which there is no triangle aren't read.
 template <class Executor, class Stored, class Number>
 MovedTriangles<Executor, Stored>
-moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedVertices<Number>& vertices,
+moved_triangles(Executor& executor, const SceneView<Stored>& scene, const WorldVertices<Number>& vertices,
                 const PrimitiveIndex* references, std::uint64_t reference_count, double max_reach) {
   const auto fail = [](const std::string& what) { throw Error(ErrorCode::usage, "vertices", what); };
   const auto listed =

@@ -8,6 +8,8 @@
 #include "libscene/base/atomic.h"
 #include "libscene/cuda/device_records.h"
 #include "libscene/geometry/margin.h"
+#include "libscene/mesh/indexed_mesh.h"
+#include "libscene/mesh/stored_triangles.h"
 #include "libscene/scene_view.h"
 #include "renderer/cuda/kernel.h"
 #include "renderer/dispatch.h"
@@ -27,6 +29,37 @@ std::shared_ptr<const void> shared(DeviceArray<T> array) {
   return std::make_shared<const DeviceArray<T>>(std::move(array));
 }
 
+// Makes a scene's triangles from its meshes, whose vertices are uploaded with whatever is waiting.
+template <class Stored, class Number>
+struct MakeTriangles {
+  StoredTriangles<Stored, Number> made;
+  Triangle<Stored>* to;
+
+  __device__ void operator()(std::uint64_t i) const { to[i] = made(i); }
+};
+template <class Stored>
+DeviceArray<Triangle<Stored>> made_on_device(const MeshTriangles& meshes, const Vec3d& origin,
+                                             Transfer& upload) {
+  const auto sent = [&]<class T>(std::span<const T> array) {
+    DeviceArray<T> copy = upload.room_for<T>(array.size());
+    upload.to_device(copy.data(), array.data(), array.size_bytes());
+    return copy;
+  };
+  auto triangles = upload.room_for<Triangle<Stored>>(meshes.size());
+  const auto make = [&]<class Number>(const Number* in_host) {
+    const auto numbers = sent(std::span(in_host, 3 * meshes.vertices().count));
+    const auto indices = sent(meshes.vertices().indices);
+    const auto begins = sent(meshes.begins());
+    upload.run();
+    const StoredTriangles<Stored, Number> made{
+        {numbers.data(), indices.data(), origin}, begins.data(), begins.size(), meshes.place()};
+    for_each_on_device(meshes.size(), nullptr, MakeTriangles<Stored, Number>{made, triangles.data()});
+  };
+  const Vertices& vertices = meshes.vertices();
+  vertices.floats != nullptr ? make(vertices.floats) : make(vertices.doubles);
+  return triangles;
+}
+
 template <class Stored>
 struct DeviceScene {
   SceneView<Stored> view;
@@ -36,14 +69,11 @@ struct DeviceScene {
 
   // Triangles in leaf order come later (DeviceFilesOf::make_leaves).
   DeviceScene(const SceneFile& file, bool in_leaf_order, Transfer& upload)
-      : view(file.view<Stored>()), lighting(file.lighting<Stored>()) {
+      : view(file.view_but_triangles<Stored>()), lighting(file.lighting<Stored>()) {
     using fb::SceneSection;
     const auto add = [&]<class T>(SceneSection section, const T*& records, std::uint64_t count) {
       others.push_back(shared(uploaded(file, section, records, count, upload)));
     };
-    if (!in_leaf_order)
-      triangles =
-          shared(uploaded(file, SceneSection::triangles, view.triangles, view.triangle_count, upload));
     add(SceneSection::spheres, view.spheres, view.sphere_count);
     add(SceneSection::cones, view.cones, view.cone_count);
     add(SceneSection::corner_normals, view.normals, file.counts().normals);
@@ -52,6 +82,15 @@ struct DeviceScene {
     add(SceneSection::faces, view.faces, file.has_faces() ? view.triangle_count : 0);
     add(SceneSection::materials, view.materials, file.counts().materials);
     add(SceneSection::lights, lighting.lights, lighting.light_count);
+    if (in_leaf_order) return;
+    if (const auto unmade = file.unmade_triangles()) {
+      auto made = made_on_device<Stored>(*unmade, file.origin(), upload);
+      view.triangles = made.data();
+      triangles = shared(std::move(made));
+      return;
+    }
+    file.make_whole(); // where another thread is at it
+    triangles = shared(uploaded(file, SceneSection::triangles, view.triangles, view.triangle_count, upload));
   }
 };
 

@@ -16,7 +16,7 @@ std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, co
                                                     std::optional<DeviceFilesOf<Stored>>& to,
                                                     const Number* numbers) {
     DeviceArray<Number> copy;
-    const MovedVertices<Number> on_gpu{on_device(numbers, 3 * vertices.count, memory, copy),
+    const WorldVertices<Number> on_gpu{on_device(numbers, 3 * vertices.count, memory, copy),
                                        memory.indices.data(), origin};
     const DeviceArray<PrimitiveIndex> references = from.references();
     StructureRecords hierarchy = *from.structure.records;

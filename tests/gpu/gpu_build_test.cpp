@@ -1,7 +1,10 @@
 // Grids built on the GPU against the CPU's, byte for byte. Skipped, and said so, where there is no CUDA
 // device.
+#include "libgrid/structure/chosen_structure.h"
 #include "libscene/cuda/cuda_device.h"
+#include "renderer/tracer/tracer.h"
 #include "tests/grid/builder_comparison.h"
+#include "tests/random_meshes.h"
 
 namespace masu {
 namespace {
@@ -57,6 +60,22 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
       this->expect_same_builds(scene, layout, overlap);
       this->expect_same_builds(scene, layout, overlap, options);
     }
+  }
+}
+
+using HierarchyOfMeshes = RandomTest;
+
+// The host's are made later, by who asks for the hash.
+TEST_F(HierarchyOfMeshes, IsTheCpusWhereTheGpuMakesTheTriangles) {
+  if (std::string why; !cuda_available(why)) GTEST_SKIP() << "no GPU: " << why;
+  for (std::int64_t i = cases(100); i > 0; --i) {
+    const ArrayScene scene = scene_of(views_of(random_meshes(chance_, chance_.one_of({3, 300, 30'000}))));
+    const SceneFile file =
+        scene_in_memory(scene, chance_.one_of({Store::automatic, Store::float32, Store::float64}));
+    const ResidentTracer tracer = ResidentTracer::by_fast_hierarchy(file, {0}, {});
+    ASSERT_EQ(file.unmade_triangles() != nullptr, file.primitive_count() > 0);
+    const StructureFile built = tracer.built_hierarchy();
+    ASSERT_EQ(built.hash(), built_in_memory(file, fast_hierarchy_options(), {}).hash());
   }
 }
 

@@ -77,7 +77,7 @@ TYPED_TEST(MovedTriangles, AreTheSameByAnyExecutor) {
     std::vector<std::uint32_t> indices(3 * count);
     for (std::uint32_t& index : indices)
       index = static_cast<std::uint32_t>(chance.index(3 * count));
-    const MovedVertices<double> moved{vertices.data(), chance.one_in(2) ? indices.data() : nullptr,
+    const WorldVertices<double> moved{vertices.data(), chance.one_in(2) ? indices.data() : nullptr,
                                       chance.one_in(2) ? Vec3d{} : chance.in_cube(1)};
     const auto here = moved_triangles(host, scene.view(), moved, nullptr, 0, max_hierarchy_reach);
     const auto there = moved_triangles(executor, scene.view(), moved, nullptr, 0, max_hierarchy_reach);
