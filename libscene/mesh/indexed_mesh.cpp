@@ -10,6 +10,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace masu {
@@ -34,9 +35,15 @@ template <class Number>
 Found copied_and_checked(const IndexedMesh& mesh, const Number* vertices, std::size_t first_vertex,
                          std::uint32_t* indices, std::size_t begin, std::size_t end) {
   Found found;
+  Box<Number> box = empty_box<Number>();
+  Number least_extent = std::numeric_limits<Number>::infinity();
   const auto vertex = [=](std::size_t i) {
-    const Number* const v = vertices + 3 * i;
-    return Vec3d{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+    return Vec3<Number>{vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]};
+  };
+  constexpr auto most =
+      static_cast<Number>(std::min<double>(max_coordinate, std::numeric_limits<Number>::max()));
+  const auto is_valid = [](const Vec3<Number>& v) {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
   };
   for (std::size_t i = begin; i != end; ++i) {
     std::size_t corners[3];
@@ -45,14 +52,16 @@ Found copied_and_checked(const IndexedMesh& mesh, const Number* vertices, std::s
       if (indices != nullptr) indices[3 * i + k] = static_cast<std::uint32_t>(first_vertex + corners[k]);
     }
     if (max(corners[0], max(corners[1], corners[2])) >= mesh.vertices) return join(found, Found{i});
-    const Vec3d a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
-    if (!is_coordinate(a) || !is_coordinate(b) || !is_coordinate(c)) return join(found, Found{i});
+    const Vec3<Number> a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
+    if (!is_valid(a) || !is_valid(b) || !is_valid(c)) return join(found, Found{i});
     if (!has_distinct_corners(a, b, c)) continue;
     if (found.first_surface == Found::none) found.first_surface = i;
-    const Boxd box = join(join(Boxd{a, a}, b), c);
-    found.box = join(found.box, box);
-    found.least_extent = min(found.least_extent, largest_magnitude(box.max - box.min));
+    const Box<Number> its_box = join(join(Box<Number>{a, a}, b), c);
+    box = join(box, its_box);
+    least_extent = min(least_extent, largest_magnitude(its_box.max - its_box.min));
   }
+  found.box = cast<double>(box);
+  found.least_extent = static_cast<double>(least_extent);
   return found;
 }
 

@@ -143,8 +143,8 @@ def _set_color(record: Any, place: str, color: Color) -> None:
     record.color = (c_float * 3)(*(float(part) for part in color))
 
 
-def _set_mesh(record: MeshRecord, mesh: Mesh, place: str) -> Any:
-    """Returns the arrays that the record points to."""
+def _set_mesh(record: MeshRecord, mesh: Mesh, place: str) -> Tuple[Any, Any]:
+    """Returns the arrays that the record points to, whose indices may be none of vertices."""
     import numpy as np
     vertices = _numbers(place + "vertices", mesh.vertices, 3)
     count = vertices.size // 3
@@ -155,18 +155,23 @@ def _set_mesh(record: MeshRecord, mesh: Mesh, place: str) -> Any:
         if count % 3:
             raise ValueError("{}vertices: without faces they must be in threes, not {}".format(place, count))
         record.triangle_count = count // 3
-        return vertices
+        return vertices, None
     faces = _arrays.on_host(place + "faces", mesh.faces)
     _arrays.check_shape(place + "faces", faces, not faces.size or faces.shape[1:] == (3,), "(N, 3)")
     if faces.size and faces.dtype.kind not in "iu":
         raise TypeError("{}faces: integers are needed, not {}".format(place, faces.dtype))
-    if faces.size and not 0 <= int(faces.min()) <= int(faces.max()) < count:
-        raise ValueError("{}faces: indices from {} to {}, but there are {} vertices".format(
-            place, faces.min(), faces.max(), count))
-    faces = np.require(faces, np.uint32, ["C_CONTIGUOUS", "ALIGNED"])
+    if faces.dtype.itemsize > 4:  # the library looks at others
+        _check_indices(place, faces, count)
+    faces = np.require(faces, np.int32 if faces.dtype == np.int32 else np.uint32, ["C_CONTIGUOUS", "ALIGNED"])
     record.indices = faces.ctypes.data
     record.triangle_count = faces.size // 3
     return vertices, faces
+
+
+def _check_indices(place: str, faces: Any, count: int) -> None:
+    if faces.size and not 0 <= int(faces.min()) <= int(faces.max()) < count:
+        raise ValueError("{}faces: indices from {} to {}, but there are {} vertices".format(
+            place, faces.min(), faces.max(), count))
 
 
 def _quadrics(name: str, given: Any, columns: int) -> Tuple[Any, Any]:
@@ -208,6 +213,7 @@ def mesh_of(vertices: Any, faces: Any = None) -> Mesh:
         vertices, faces = _mesh_objects.arrays_of(vertices)
     mesh = Mesh(np.array(_arrays.on_host("vertices", vertices)), np.array(_arrays.on_host("faces", faces)))
     _set_mesh(MeshRecord(), mesh, "")  # checks it
+    _check_indices("", mesh.faces, len(mesh.vertices))
     return mesh
 
 
@@ -254,9 +260,8 @@ class Scene(Resource):
         listed = [Mesh(*(mesh if isinstance(mesh, (tuple, list)) else _mesh_objects.arrays_of(mesh)))
                   for mesh in meshes or ()] if vertices is None else [Mesh(vertices, faces, color)]
         records = (MeshRecord * len(listed))()
-        kept: List[Any] = []
-        for index, (mesh, record) in enumerate(zip(listed, records)):
-            kept.append(_set_mesh(sized(record), mesh, "mesh {}: ".format(index) if len(listed) > 1 else ""))
+        places = ["mesh {}: ".format(index) if len(listed) > 1 else "" for index in range(len(listed))]
+        kept: List[Any] = [_set_mesh(sized(record), mesh, place) for mesh, record, place in zip(listed, records, places)]
         sphere_records, sphere_arrays = _quadrics("spheres", spheres, 4)
         cone_records, cone_arrays = _quadrics("cones", cones, 8)
         kept += sphere_arrays + cone_arrays
@@ -270,7 +275,13 @@ class Scene(Resource):
             if len(origin) != 3:
                 raise ValueError("origin: 3 numbers are needed, not {}".format(len(origin)))
             geometry.origin = (c_double * 3)(*(float(part) for part in origin))
-        self._own("scene", library.masu_scene_create, (byref(geometry),), library.masu_scene_free, geometry)
+        try:
+            self._own("scene", library.masu_scene_create, (byref(geometry),), library.masu_scene_free, geometry)
+        except Error:
+            for (vertices, faces), place in zip(kept, places):
+                if faces is not None:
+                    _check_indices(place, faces, len(vertices))
+            raise
 
     @classmethod
     def _read(cls, path: Path) -> "Scene":
