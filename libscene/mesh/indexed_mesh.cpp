@@ -32,8 +32,8 @@ Found join(const Found& a, const Found& b) {
 
 // `vertices`: a mesh's own; `indices`: where its own go, for vertices from `first_vertex` on, or null.
 template <class Number>
-Found copied_and_checked(const IndexedMesh& mesh, const Number* vertices, std::size_t first_vertex,
-                         std::uint32_t* indices, std::size_t begin, std::size_t end) {
+Found taken(const IndexedMesh& mesh, const Number* vertices, std::size_t first_vertex, std::uint32_t* indices,
+            std::size_t begin, std::size_t end) {
   Found found;
   Box<Number> box = empty_box<Number>();
   Number least_extent = std::numeric_limits<Number>::infinity();
@@ -62,6 +62,25 @@ Found copied_and_checked(const IndexedMesh& mesh, const Number* vertices, std::s
   }
   found.box = cast<double>(box);
   found.least_extent = static_cast<double>(least_extent);
+  return found;
+}
+
+// Of all of a mesh, the number m.
+template <class Number>
+Found taken(const IndexedMesh& mesh, std::size_t m, const Number* vertices, std::size_t first_vertex,
+            std::uint32_t* indices, const ProgressMonitor* progress) {
+  const Found found = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, mesh.triangles, 4096), Found{},
+      [&](const auto& range, const Found& before) {
+        check_progress(progress);
+        return join(before, taken(mesh, vertices, first_vertex, indices, range.begin(), range.end()));
+      },
+      [](const Found& a, const Found& b) { return join(a, b); });
+  if (found.wrong != Found::none)
+    throw Error(ErrorCode::usage, "meshes",
+                fmt::format("mesh {}: triangle {} has a vertex that there isn't, or whose coordinates "
+                            "aren't finite or beyond 1e100",
+                            m, found.wrong));
   return found;
 }
 
@@ -146,27 +165,13 @@ MeshTriangles::MeshTriangles(std::span<const IndexedMesh> meshes, const Progress
     vertices_.*numbers = all->data();
     std::size_t first_vertex = 0;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
-      const IndexedMesh& mesh = meshes[m];
-      const Number* const of_mesh = all->data() + 3 * first_vertex;
-      std::uint32_t* const its_indices = are_indexed ? indices->data() + 3 * begins_[m] : nullptr;
-      const Found found = tbb::parallel_reduce(
-          tbb::blocked_range<std::size_t>(0, mesh.triangles, 4096), Found{},
-          [&](const auto& range, const Found& before) {
-            check_progress(progress);
-            return join(before, copied_and_checked(mesh, of_mesh, first_vertex, its_indices, range.begin(),
-                                                   range.end()));
-          },
-          [](const Found& a, const Found& b) { return join(a, b); });
-      if (found.wrong != Found::none)
-        throw Error(ErrorCode::usage, "meshes",
-                    fmt::format("mesh {}: triangle {} has a vertex that there isn't, or whose coordinates "
-                                "aren't finite or beyond 1e100",
-                                m, found.wrong));
+      const Found found = taken(meshes[m], m, all->data() + 3 * first_vertex, first_vertex,
+                                are_indexed ? indices->data() + 3 * begins_[m] : nullptr, progress);
       if (found.first_surface != Found::none)
         first_surface = std::min(first_surface, begins_[m] + found.first_surface);
       box_ = join(box_, found.box);
       least_extent_ = std::min(least_extent_, found.least_extent);
-      first_vertex += mesh.vertices;
+      first_vertex += meshes[m].vertices;
     }
     numbers_ = std::move(all);
   };
