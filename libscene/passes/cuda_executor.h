@@ -7,6 +7,7 @@
 #include "libscene/passes/executor.h"
 
 #include <cub/block/block_radix_sort.cuh>
+#include <cub/block/block_scan.cuh>
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 
@@ -275,6 +276,30 @@ struct Sum {
   }
 };
 
+// So few are summed up by one block, piece by piece, sooner than CUB's kernels are launched; and what is
+// summed up is computed there, too, where it is one piece.
+inline constexpr unsigned summing_threads = 512, summed_by_thread = 8,
+                          summed_at_once = summing_threads * summed_by_thread,
+                          max_summed_by_block = 8 * summed_at_once;
+template <class T, class Of>
+__global__ void __launch_bounds__(summing_threads)
+    sum_by_block(T* sums, unsigned count, const __grid_constant__ Of of) {
+  using Scan = cub::BlockScan<T, summing_threads>;
+  __shared__ typename Scan::TempStorage memory;
+  T before{};
+  for (unsigned piece = 0; piece < count; piece += summed_at_once) {
+    const unsigned first = piece + threadIdx.x * summed_by_thread;
+    T own[summed_by_thread], all;
+    for (unsigned k = 0; k < summed_by_thread; ++k)
+      own[k] = first + k < count ? of(first + k) : T{};
+    Scan(memory).ExclusiveScan(own, own, T{}, Sum{}, all);
+    for (unsigned k = 0; k < summed_by_thread; ++k)
+      if (first + k < count) sums[first + k] = before + own[k];
+    before = before + all;
+    __syncthreads(); // the memory has been read
+  }
+}
+
 } // namespace kernels
 
 class CudaExecutor {
@@ -343,10 +368,25 @@ public:
   }
   template <class T>
   void scan(Array<T>& values) const {
+    const std::uint64_t count = values.size();
+    T* const value = values.data();
+    if (count <= kernels::max_summed_by_block)
+      return sum_by_block(values, [=] MASU_PASS(std::uint64_t i) { return value[i]; });
     with_memory([&](void* memory, std::size_t& bytes) {
-      return cub::DeviceScan::ExclusiveScan(memory, bytes, values.data(), values.data(), kernels::Sum{}, T{},
-                                            values.size());
+      return cub::DeviceScan::ExclusiveScan(memory, bytes, value, value, kernels::Sum{}, T{}, count);
     });
+  }
+  template <class T, class Of>
+  Array<T> sums(std::uint64_t count, const Of& of) const {
+    auto values = array<T>(count);
+    if (count <= kernels::summed_at_once) {
+      sum_by_block(values, of);
+      return values;
+    }
+    T* const value = values.data();
+    for_each(count, [=] MASU_PASS(std::uint64_t i) { value[i] = of(i); });
+    scan(values);
+    return values;
   }
   template <class T>
   T value(const Array<T>& values, std::uint64_t i) const {
@@ -371,27 +411,23 @@ public:
   std::optional<Sorted<CudaExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
                                                          std::uint64_t max_pairs, const Emit& emit) const {
     constexpr std::uint64_t rows_per_piece = 32;
-    auto pieces = array<std::uint64_t>(count + 1);
-    std::uint64_t* const first_piece = pieces.data();
-    for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
+    const auto pieces = sums<std::uint64_t>(count + 1, [=] MASU_PASS(std::uint64_t i) {
       const std::uint64_t rows = i != count ? emit.size(i) : 0;
-      first_piece[i] = (rows + rows_per_piece - 1) / rows_per_piece;
+      return (rows + rows_per_piece - 1) / rows_per_piece;
     });
-    scan(pieces);
+    const std::uint64_t* const first_piece = pieces.data();
     const std::uint64_t piece_count = value(pieces, count);
 
-    auto pairs = array<std::uint64_t>(piece_count + 1);
-    std::uint64_t* const first_pair = pairs.data();
-    for_each(piece_count + 1, [=] MASU_PASS(std::uint64_t piece) {
+    const auto pairs = sums<std::uint64_t>(piece_count + 1, [=] MASU_PASS(std::uint64_t piece) {
       std::uint64_t own = 0;
       if (piece != piece_count) {
         const std::uint64_t i = owner_of(first_piece, count, piece);
         const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
         emit(i, row, row + rows_per_piece, [&](std::uint64_t, const Value&) { ++own; });
       }
-      first_pair[piece] = own;
+      return own;
     });
-    scan(pairs);
+    const std::uint64_t* const first_pair = pairs.data();
     const std::uint64_t pair_count = value(pairs, piece_count);
     if (pair_count > max_pairs) return std::nullopt;
 
@@ -412,6 +448,11 @@ public:
   }
 
 private:
+  template <class T, class Of>
+  void sum_by_block(Array<T>& sums, const Of& of) const {
+    launch(kernels::sum_by_block<T, Of>, 1, kernels::summing_threads, nullptr, sums.data(),
+           static_cast<unsigned>(sums.size()), of);
+  }
   template <class Value>
   void sort(Array<std::uint64_t>& keys, Array<Value>& values, int bits) const {
     if (keys.size() == 0) return;

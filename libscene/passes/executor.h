@@ -15,6 +15,7 @@
 //                                 more of a warp, or a block
 //   joined<Part>(count, act)      join() of act(0) … act(count - 1), in any order: one, in its Memory
 //   scan(values)                  values[i] becomes the sum of all before it
+//   sums<T>(count, of)            what of(0) … of(i - 1) add up to, for i = 0 … count - 1
 //   value(values, i)              one value, for the host
 //   has_warps                     whether its threads run in step, so that work is better sorted by its kind
 //   sorted(count, bits, key_of)   pairs of the keys key_of(i), of so many bits, and i = 0 … count - 1, in

@@ -99,6 +99,13 @@ public:
       over(c, [](T& value, T& sum) { value = std::exchange(sum, sum + value); });
     });
   }
+  template <class T, class Of>
+  Array<T> sums(std::uint64_t count, const Of& of) const {
+    auto values = array<T>(count);
+    for_each(count, [value = values.data(), &of](std::uint64_t i) { value[i] = of(i); });
+    scan(values);
+    return values;
+  }
   template <class T>
   T value(const Array<T>& values, std::uint64_t i) const {
     return values[i];

@@ -9,12 +9,8 @@ namespace masu {
 // sums[i] is what of(0) … of(i - 1) add up to; for i up to `count`.
 template <class Executor, class Of>
 ArrayOf<Executor, std::uint32_t> sums_before(Executor& executor, std::uint64_t count, const Of& of) {
-  auto sums = executor.template array<std::uint32_t>(count + 1);
-  std::uint32_t* const sum = sums.data();
-  executor.for_each(count + 1,
-                    [=] MASU_PASS(std::uint64_t i) { sum[i] = i != count ? std::uint32_t{of(i)} : 0U; });
-  executor.scan(sums);
-  return sums;
+  return executor.template sums<std::uint32_t>(
+      count + 1, [=] MASU_PASS(std::uint64_t i) { return i != count ? std::uint32_t{of(i)} : 0U; });
 }
 
 template <class Part>
