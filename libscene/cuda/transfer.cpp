@@ -170,8 +170,13 @@ void Transfer::run() {
   check(cudaDeviceSynchronize());
   if (total < min_pinned_bytes && staging_ == nullptr) {
     PlainBuffer buffer(pool_);
-    for (const Piece& piece : pieces)
-      make(piece, buffer);
+    for (const Piece& piece : pieces) {
+      const Copy& copy = *piece.copy;
+      if (copy.section != nullptr || copy.place != nullptr)
+        make(piece, buffer);
+      else if (piece.i == 0) // all at once
+        check(cudaMemcpy(copy.to, copy.from, copy.bytes, copy.direction));
+    }
   } else {
     if (staging_ == nullptr)
       staging_ = std::make_shared<StagingOfThreads>(

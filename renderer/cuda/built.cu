@@ -9,8 +9,12 @@ std::shared_ptr<const DeviceFiles> built_files_cuda(const SceneFile& scene, int 
   return files_on(device, scene, nullptr, [&]<class Stored>(DeviceFilesOf<Stored>& files, Transfer&) {
     const unsigned kinds = checked_kinds(files, scene);
     const auto layout = layout_in<Stored>(scene.bounds(), {1, 1, 1}, SpaceRule::tight);
-    const MemoryPool temporary; // what is kept would lie scattered among what building took
-    files.take(fast_hierarchy(files.scene.view, layout, temporary, device, progress));
+    // What is kept would lie scattered among what building took, where that is more than a block of a pool.
+    constexpr std::uint32_t most_in_block = 100'000;
+    std::optional<MemoryPool> temporary;
+    if (files.scene.view.primitive_count() > most_in_block) temporary.emplace();
+    files.take(fast_hierarchy(files.scene.view, layout, temporary ? *temporary : files.memory.pool, device,
+                              progress));
     files.rearrange_leaves(scene);
     return kinds;
   });
