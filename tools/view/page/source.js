@@ -96,7 +96,7 @@ class Server {
   // Which slices and rays there are: any.
   sliceAt(plane) { return plane; }
   known(ray) { return ray; }
-  slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }
+  slice(grid, axis, share) { return this.json('api/slice', {grid, axis, share}); }
 
   // depth: null for any.
   boxes(grid, depth) { return this.json('api/boxes', {grid, ...(depth === null ? {} : {depth})}); }
