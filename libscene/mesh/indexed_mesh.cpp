@@ -10,7 +10,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace masu {
@@ -30,21 +30,30 @@ Found join(const Found& a, const Found& b) {
           std::min(a.least_extent, b.least_extent)};
 }
 
-// `vertices`: a mesh's own; `indices`: where its own go, for vertices from `first_vertex` on, or null.
+// A vertex in a register, with a number more that counts for nothing.
+template <class Number>
+struct VertexLanes {
+  typedef Number Lanes
+      __attribute__((vector_size(4 * sizeof(Number)))); // NOLINT(modernize-use-using): GCC's way
+  using Mask = decltype(Lanes() < Lanes());
+
+  static void load(const Number* from, Lanes& to) { std::memcpy(&to, from, sizeof to); }
+  static bool all(const Mask& mask) { return (mask[0] & mask[1] & mask[2]) != 0; }
+};
+
+// `vertices`: a mesh's own, and a number more behind the last; `indices`: where its own go, for vertices from
+// `first_vertex` on, or null.
 template <class Number>
 Found taken(const IndexedMesh& mesh, const Number* vertices, std::size_t first_vertex, std::uint32_t* indices,
             std::size_t begin, std::size_t end) {
-  Found found;
-  Box<Number> box = empty_box<Number>();
-  Number least_extent = std::numeric_limits<Number>::infinity();
-  const auto vertex = [=](std::size_t i) {
-    return Vec3<Number>{vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]};
-  };
+  using Of = VertexLanes<Number>;
+  using Lanes = typename Of::Lanes;
   constexpr auto most =
       static_cast<Number>(std::min<double>(max_coordinate, std::numeric_limits<Number>::max()));
-  const auto is_valid = [](const Vec3<Number>& v) {
-    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
-  };
+  constexpr auto far = std::numeric_limits<Number>::infinity();
+  Found found;
+  Lanes low = Lanes{} + far, high = Lanes{} - far;
+  Number least_extent = far;
   for (std::size_t i = begin; i != end; ++i) {
     std::size_t corners[3];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -52,15 +61,26 @@ Found taken(const IndexedMesh& mesh, const Number* vertices, std::size_t first_v
       if (indices != nullptr) indices[3 * i + k] = static_cast<std::uint32_t>(first_vertex + corners[k]);
     }
     if (max(corners[0], max(corners[1], corners[2])) >= mesh.vertices) return join(found, Found{i});
-    const Vec3<Number> a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
-    if (!is_valid(a) || !is_valid(b) || !is_valid(c)) return join(found, Found{i});
-    if (!has_distinct_corners(a, b, c)) continue;
+    Lanes a, b, c;
+    Of::load(vertices + 3 * corners[0], a);
+    Of::load(vertices + 3 * corners[1], b);
+    Of::load(vertices + 3 * corners[2], c);
+    if (!Of::all((a <= most) & (a >= -most) & (b <= most) & (b >= -most) & (c <= most) & (c >= -most)))
+      return join(found, Found{i});
+    const auto ab = a == b, bc = b == c, ca = c == a;
+    if (Of::all(ab | bc | ca) && (Of::all(ab) || Of::all(bc) || Of::all(ca)))
+      continue; // has_distinct_corners()
     if (found.first_surface == Found::none) found.first_surface = i;
-    const Box<Number> its_box = join(join(Box<Number>{a, a}, b), c);
-    box = join(box, its_box);
-    least_extent = min(least_extent, largest_magnitude(its_box.max - its_box.min));
+    // Of equal ones the last, as of -0 and 0: so is the join of boxes.
+    const Lanes ab_low = a < b ? a : b, ab_high = a > b ? a : b;
+    const Lanes its_low = ab_low < c ? ab_low : c, its_high = ab_high > c ? ab_high : c;
+    low = low < its_low ? low : its_low;
+    high = high > its_high ? high : its_high;
+    const Lanes sides = its_high - its_low;
+    least_extent = min(least_extent, max(sides[0], max(sides[1], sides[2])));
   }
-  found.box = cast<double>(box);
+  if (found.first_surface != Found::none)
+    found.box = cast<double>(Box<Number>{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}});
   found.least_extent = static_cast<double>(least_extent);
   return found;
 }
@@ -84,10 +104,10 @@ Found taken(const IndexedMesh& mesh, std::size_t m, const Number* vertices, std:
   return found;
 }
 
-// All meshes' numbers, one after the other.
+// All meshes' numbers, one after the other, and one more.
 template <class Number>
 HostArray<Number> joined_numbers(std::span<const IndexedMesh> meshes, std::size_t vertices) {
-  HostArray<Number> all(3 * vertices);
+  HostArray<Number> all(3 * vertices + 1);
   Number* to = all.data();
   for (const IndexedMesh& mesh : meshes) {
     const auto copy = [&](const auto* from) {

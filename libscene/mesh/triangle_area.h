@@ -23,8 +23,7 @@ MASU_HD inline bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 // Of a mesh's face, whether it can be hit: no two of its corners are one point. Three on a line may be: where
 // tessellators split an edge of one face, but not of its neighbour, they fill the gap with such a face. Seen
 // along a ray, corners move by a rounding, and the gap opens by as much; the face then covers just that.
-template <class T>
-MASU_HD bool has_distinct_corners(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
+MASU_HD inline bool has_distinct_corners(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return !(a == b) && !(b == c) && !(c == a);
 }
 
