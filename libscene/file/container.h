@@ -65,10 +65,10 @@ static_assert(sizeof(Prelude) == 64);
 // An array to write; or what makes its records when they are hashed, and again when they are written, so that
 // no more than some of them are in memory: convert(first, how many, to), which any thread may call.
 struct SectionData {
-  std::uint32_t kind;
-  std::uint32_t record_bytes;
-  std::uint64_t count;
-  const void* data;
+  std::uint32_t kind = 0;
+  std::uint32_t record_bytes = 0;
+  std::uint64_t count = 0;
+  const void* data = nullptr;
   std::function<void(std::uint64_t, std::uint64_t, void*)> convert{};
   bool is_later = false; // in memory: made when it is first needed
 };

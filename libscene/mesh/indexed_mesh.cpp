@@ -33,8 +33,8 @@ Found join(const Found& a, const Found& b) {
 // A vertex in a register, with a number more that counts for nothing.
 template <class Number>
 struct VertexLanes {
-  typedef Number Lanes
-      __attribute__((vector_size(4 * sizeof(Number)))); // NOLINT(modernize-use-using): GCC's way
+  // NOLINTNEXTLINE(modernize-use-using): which takes no attribute of a template's type
+  typedef Number Lanes __attribute__((vector_size(4 * sizeof(Number))));
   using Mask = decltype(Lanes() < Lanes());
 
   static void load(const Number* from, Lanes& to) { std::memcpy(&to, from, sizeof to); }
