@@ -40,31 +40,30 @@ struct PlacedParts {
   Vec3d origin;
   SceneView<Stored> beside; // spheres and cones alone, relative to the origin
   Boxd beside_bounds;
+  bool is_brute_force;
 };
 
 // What does: the result.
 template <class Executor, class Stored>
 struct PlacedArrays {
+  PlacedParts<Stored> parts;
   ArrayOf<Executor, Placement<Stored>> placements{};
   ArrayOf<Executor, HierarchyNode> upper_nodes{};
   ArrayOf<Executor, std::uint32_t> roots{};
   Boxd bounds{}; // of all triangles, and what stands beside them, relative to the origin
-};
 
-// As tracing sees it.
-template <class Executor, class Stored>
-PlacedView<Stored> view_of(const PlacedParts<Stored>& parts, const PlacedArrays<Executor, Stored>& arrays,
-                           bool is_brute_force) {
-  return {parts.of_meshes,
-          parts.meshes,
-          arrays.placements.data(),
-          parts.first_triangles,
-          arrays.upper_nodes.data(),
-          arrays.roots.data(),
-          parts.count,
-          parts.world_count,
-          is_brute_force};
-}
+  // As tracing sees it: the meshes, and what stands beside them (placed_view.h).
+  PlacedView<Stored> view() const {
+    return {parts.of_meshes, parts.meshes, placements.data(), parts.first_triangles, upper_nodes.data(),
+            roots.data(),    parts.count,  parts.world_count, parts.is_brute_force};
+  }
+  SceneView<Stored> scene() const {
+    SceneView<Stored> scene = parts.beside;
+    scene.triangle_count = parts.triangle_count;
+    scene.clip = cast<Stored>(padded_bounds<Stored>(bounds));
+    return scene;
+  }
+};
 
 // Of placements, before they are known to be sound.
 template <class Stored>
@@ -278,7 +277,7 @@ Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedFindings<Store
 template <class Executor, class Stored>
 PlacedArrays<Executor, Stored> placed(Executor& executor, const PlacedParts<Stored>& parts,
                                       const Transform* transforms) {
-  PlacedArrays<Executor, Stored> made{executor.template array<Placement<Stored>>(parts.count)};
+  PlacedArrays<Executor, Stored> made{parts, executor.template array<Placement<Stored>>(parts.count)};
   Placement<Stored>* const placements = made.placements.data();
   const auto found = found_of(executor, parts, transforms, placements);
   const auto check = [&] { made.bounds = checked_bounds(parts, executor.value(found, 0)); };

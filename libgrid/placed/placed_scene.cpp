@@ -125,36 +125,13 @@ template PlaceableMeshes<double> placeable_meshes(const PlacedScene&, HierarchyQ
 template <class Stored>
 PlacedOnHost<Stored>::PlacedOnHost(std::shared_ptr<const PlacedScene> scene_,
                                    std::shared_ptr<const PlaceableMeshes<Stored>> meshes_,
-                                   std::vector<Transform> transforms_, bool is_brute_force_)
-    : scene(std::move(scene_)), meshes(std::move(meshes_)), transforms(std::move(transforms_)),
-      is_brute_force(is_brute_force_) {
-  TbbExecutor executor;
-  arrays = placed(executor, parts(), transforms.data());
-}
-
-template <class Stored>
-PlacedParts<Stored> PlacedOnHost<Stored>::parts() const {
-  return {meshes->view(),
-          meshes->meshes.data(),
-          scene->mesh.data(),
-          scene->mask.data(),
-          scene->world.data(),
-          scene->first_triangles.data(),
-          scene->count(),
-          scene->world_count,
-          scene->triangle_count(),
-          scene->origin(),
-          scene->beside->view<Stored>(),
-          scene->beside->bounds()};
-}
-
-template <class Stored>
-SceneView<Stored> PlacedOnHost<Stored>::beside() const {
-  auto view = scene->beside->view<Stored>();
-  view.triangle_count = scene->triangle_count();
-  view.clip = cast<Stored>(padded_bounds<Stored>(arrays.bounds));
-  return view;
-}
+                                   std::vector<Transform> transforms_, bool is_brute_force)
+    : scene(std::move(scene_)), meshes(std::move(meshes_)), transforms(std::move(transforms_)), arrays([&] {
+        TbbExecutor executor;
+        const auto parts = parts_of(*scene, *meshes, scene->beside->view<Stored>(), is_brute_force,
+                                    [](const auto& array) { return array.data(); });
+        return placed(executor, parts, transforms.data());
+      }()) {}
 
 template struct PlacedOnHost<float>;
 template struct PlacedOnHost<double>;

@@ -43,14 +43,31 @@ struct PlaceableMeshes {
   HostArray<Leaf<Stored>> leaves{};
   HostArray<std::uint32_t> leaf_of{};
   std::vector<PlacedMesh<Stored>> meshes{};
-
-  MeshArrays<Stored> view() const { return {nodes.data(), leaves.data(), leaf_of.data()}; }
 };
 
 // Their hierarchies are built on the CPU. Throws as build_hierarchy() does.
 template <class Stored>
 PlaceableMeshes<Stored> placeable_meshes(const PlacedScene& scene, HierarchyQuality quality,
                                          ProgressMonitor* progress = nullptr);
+
+// Of a scene with its `beside` as it is seen, where array(one of the host's) says that an array lies.
+template <class Stored, class ArrayAt>
+PlacedParts<Stored> parts_of(const PlacedScene& scene, const PlaceableMeshes<Stored>& meshes,
+                             const SceneView<Stored>& beside, bool is_brute_force, const ArrayAt& array) {
+  return {{array(meshes.nodes), array(meshes.leaves), array(meshes.leaf_of)},
+          array(meshes.meshes),
+          array(scene.mesh),
+          array(scene.mask),
+          array(scene.world),
+          array(scene.first_triangles),
+          scene.count(),
+          scene.world_count,
+          scene.triangle_count(),
+          scene.origin(),
+          beside,
+          scene.beside->bounds(),
+          is_brute_force};
+}
 
 // A placed scene, ready to be traced on the CPU.
 template <class Stored>
@@ -59,16 +76,11 @@ struct PlacedOnHost {
   std::shared_ptr<const PlaceableMeshes<Stored>> meshes;
   std::vector<Transform> transforms;
   PlacedArrays<TbbExecutor, Stored> arrays;
-  bool is_brute_force;
 
   // Throws as placed() does.
   PlacedOnHost(std::shared_ptr<const PlacedScene> scene,
                std::shared_ptr<const PlaceableMeshes<Stored>> meshes, std::vector<Transform> transforms,
                bool is_brute_force);
-
-  PlacedParts<Stored> parts() const;
-  SceneView<Stored> beside() const; // of all that is traced: see placed_view.h
-  PlacedView<Stored> view() const { return view_of(parts(), arrays, is_brute_force); }
 };
 
 } // namespace masu

@@ -17,8 +17,8 @@ template <class M, class Stored>
 void trace(const PlacedOnHost<Stored>& host, const RayList& rays, const RayResults& results,
            const RaysRequest& request) {
   using Real = typename M::Real;
-  const SceneView<Stored> scene = host.beside();
-  const PlacedView<Stored> placed = host.view();
+  const SceneView<Stored> scene = host.arrays.scene();
+  const PlacedView<Stored> placed = host.arrays.view();
   const HitRules rules = hit_rules(request);
   const bool in_order = needs_hits_in_order(rays, results, request);
   ListProgress progress(request.progress, rays.count, 16,
@@ -50,8 +50,8 @@ template <class Stored>
 void find_closest(const PlacedOnHost<Stored>& host, const RayList& places, const RayResults& results,
                   const std::function<void(double)>& report_progress) {
   check_closest(host.arrays.bounds);
-  const SceneView<Stored> scene = host.beside();
-  const PlacedView<Stored> placed = host.view();
+  const SceneView<Stored> scene = host.arrays.scene();
+  const PlacedView<Stored> placed = host.arrays.view();
   ListProgress progress(report_progress, places.count, 16,
                         placed.is_brute_force ? scene.primitive_count() : 0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.count, 256), [&](const auto& range) {

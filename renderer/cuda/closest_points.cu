@@ -48,7 +48,7 @@ KernelSize launch_closest(const DeviceFiles& files, const RayList& places, const
       return start(closest_kernel<Stored>, stored.on_device(any_structure<Stored>(stored.structure.records)),
                    places.rays, places.format, places.filters);
     check_closest(stored.placements->arrays.bounds);
-    return start(placed_closest_kernel<Stored>, stored.placements->view(), places.rays, places.format,
+    return start(placed_closest_kernel<Stored>, stored.placements->arrays.view(), places.rays, places.format,
                  places.filters, places.placed_filters);
   });
 }

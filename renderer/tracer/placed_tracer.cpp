@@ -75,7 +75,8 @@ PlacedTracer PlacedTracer::moved(const PlacementMoves& moves) const {
         std::vector<Transform> transforms = host.transforms;
         moves.floats != nullptr ? replace(transforms, moves, moves.floats)
                                 : replace(transforms, moves, moves.doubles);
-        return PlacedTracer(*this, Host(host.scene, host.meshes, std::move(transforms), host.is_brute_force));
+        return PlacedTracer(
+            *this, Host(host.scene, host.meshes, std::move(transforms), host.arrays.parts.is_brute_force));
       },
       *host_);
 }

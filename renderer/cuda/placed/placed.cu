@@ -12,15 +12,13 @@ namespace {
 // Of the files without placements, or with others.
 template <class Stored>
 DeviceFilesOf<Stored> with_placements(const DeviceFilesOf<Stored>& from, const PlacedParts<Stored>& parts,
-                                      const SharedArrays& parts_memory, DeviceArray<Transform> transforms,
-                                      bool is_brute_force) {
+                                      const SharedArrays& parts_memory, DeviceArray<Transform> transforms) {
   CudaExecutor executor(from.memory.pool);
   PlacedArrays<CudaExecutor, Stored> arrays = placed(executor, parts, transforms.data());
   DeviceFilesOf<Stored> files = from;
-  files.scene.view.triangle_count = parts.triangle_count;
-  files.scene.view.clip = cast<Stored>(padded_bounds<Stored>(arrays.bounds));
+  files.scene.view = arrays.scene();
   files.placements = std::make_shared<const PlacedOnDevice<Stored>>(
-      PlacedOnDevice<Stored>{parts, parts_memory, std::move(transforms), std::move(arrays), is_brute_force});
+      PlacedOnDevice<Stored>{parts_memory, std::move(transforms), std::move(arrays)});
   return files;
 }
 
@@ -41,21 +39,10 @@ void upload_placed(const PlacedOnHost<Stored>& host, DeviceFiles& files,
   };
   DeviceArray<Transform> transforms = upload.room_for<Transform>(host.transforms.size());
   upload.to_device(transforms.data(), host.transforms.data(), host.transforms.size() * sizeof(Transform));
-  const PlaceableMeshes<Stored>& meshes = *host.meshes;
-  const PlacedParts<Stored> parts{{add(meshes.nodes), add(meshes.leaves), add(meshes.leaf_of)},
-                                  add(meshes.meshes),
-                                  add(scene.mesh),
-                                  add(scene.mask),
-                                  add(scene.world),
-                                  add(scene.first_triangles),
-                                  scene.count(),
-                                  scene.world_count,
-                                  scene.triangle_count(),
-                                  scene.origin(),
-                                  beside.scene.view,
-                                  scene.beside->bounds()};
+  const PlacedParts<Stored> parts =
+      parts_of(scene, *host.meshes, beside.scene.view, host.arrays.parts.is_brute_force, add);
   upload.run();
-  to.emplace(with_placements(beside, parts, memory, std::move(transforms), host.is_brute_force));
+  to.emplace(with_placements(beside, parts, memory, std::move(transforms)));
 }
 
 // The transforms with those that have moved. Of a placement that is there twice the last one counts: so all
@@ -120,9 +107,8 @@ std::shared_ptr<const DeviceFiles> placed_files_cuda(const DeviceFiles& files, c
     DeviceArray<Number> copy;
     const PlacedOnDevice<Stored>& before = *from.placements;
     to.emplace(with_placements(
-        from, before.parts, before.parts_memory,
-        replaced(before.transforms, here, on_device(given, numbers, memory, copy), from.memory),
-        before.is_brute_force));
+        from, before.arrays.parts, before.parts_memory,
+        replaced(before.transforms, here, on_device(given, numbers, memory, copy), from.memory)));
   };
   const auto move_to = [&](const auto& from, auto& to) {
     moves.floats != nullptr ? move(*from, to, moves.floats) : move(*from, to, moves.doubles);

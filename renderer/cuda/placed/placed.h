@@ -9,13 +9,9 @@ namespace masu {
 
 template <class Stored>
 struct PlacedOnDevice {
-  PlacedParts<Stored> parts;
   SharedArrays parts_memory; // of what doesn't move
   DeviceArray<Transform> transforms;
   PlacedArrays<CudaExecutor, Stored> arrays;
-  bool is_brute_force;
-
-  PlacedView<Stored> view() const { return view_of(parts, arrays, is_brute_force); }
 };
 
 } // namespace masu

@@ -82,11 +82,11 @@ KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list
   const SceneView<Stored>& scene = files.scene.view;
   const std::uint32_t blocks = blocks_of(rays_per_block, batch.count);
   const cudaStream_t stream = batch.memory.stream;
-  if (needs_hits_in_order(list, batch.results, request) || files.placements->is_brute_force) {
+  if (needs_hits_in_order(list, batch.results, request) || files.placements->arrays.parts.is_brute_force) {
     auto* const kernel = placed_hits_kernel<OnDevice<General>, Stored>;
     batch.begin();
-    launch(kernel, blocks, rays_per_block, stream, scene, files.placements->view(), batch.rays, list.filters,
-           list.placed_filters, batch.count, hit_rules(request), batch.results);
+    launch(kernel, blocks, rays_per_block, stream, scene, files.placements->arrays.view(), batch.rays,
+           list.filters, list.placed_filters, batch.count, hit_rules(request), batch.results);
     return files.kernels->of(kernel, rays_per_block).size;
   }
   const RayResults& results = batch.results;
@@ -99,7 +99,7 @@ KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list
   if (t.data() != nullptr) found.results.t = t.data();
   if (numbers.data() != nullptr) found.results.primitive = numbers.data();
   const bool triangles_alone = scene.sphere_count + scene.cone_count == 0;
-  const PlacedList<Stored> placed{files.placements->view(), list.placed_filters.worlds};
+  const PlacedList<Stored> placed{files.placements->arrays.view(), list.placed_filters.worlds};
   KernelSize size{};
   with_query(request.query, [&]<Query query>(QueryTag<query>) {
     if constexpr (std::is_same_v<TestRay, WatertightRay<float>>)
@@ -110,8 +110,8 @@ KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list
     size = trace_by_refill<query, General>(files, placed, found);
   });
   if (names)
-    launch(placed_names_kernel<Real, Stored>, blocks, rays_per_block, stream, scene, files.placements->view(),
-           batch.rays, batch.count, found.results, results);
+    launch(placed_names_kernel<Real, Stored>, blocks, rays_per_block, stream, scene,
+           files.placements->arrays.view(), batch.rays, batch.count, found.results, results);
   return size;
 }
 
