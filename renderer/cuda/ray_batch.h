@@ -10,7 +10,7 @@ template <class Real>
 struct RayBatch {
   const Ray<Real>* rays;
   std::uint64_t count;
-  RayResults results; // nearest_hit: t and primitive are there if there are attributes to find
+  RayResults results; // nearest_hit: t and primitive are there if there are attributes or names to find
   Counts* counts;     // null: not counted
   StreamMemory memory;
   cudaEvent_t begun; // recorded before the first kernel; may be null
@@ -42,10 +42,10 @@ template <class Real, class Stored>
 void launch_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
                        const RayResults& results);
 
-// Of placed meshes: a whole query; not by `fast`.
+// Of placed meshes: a whole query, with names and attributes; not by `fast`.
 template <class TestRay, class Stored>
 KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list, const RaysRequest& request,
-                         const RayBatch<typename TestRay::Real>& batch);
+                         const RayBatch<typename TestRay::Real>& batch, const RayResults& results);
 
 // Of places in device memory, whichever store and structure; by launch_rays().
 KernelSize launch_closest(const DeviceFiles& files, const RayList& places, const RayResults& results,

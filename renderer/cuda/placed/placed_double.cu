@@ -3,8 +3,10 @@
 namespace masu {
 
 template KernelSize launch_placed<WatertightRay<double>>(const DeviceFilesOf<float>&, const RayList&,
-                                                         const RaysRequest&, const RayBatch<double>&);
+                                                         const RaysRequest&, const RayBatch<double>&,
+                                                         const RayResults&);
 template KernelSize launch_placed<WatertightRay<double>>(const DeviceFilesOf<double>&, const RayList&,
-                                                         const RaysRequest&, const RayBatch<double>&);
+                                                         const RaysRequest&, const RayBatch<double>&,
+                                                         const RayResults&);
 
 } // namespace masu

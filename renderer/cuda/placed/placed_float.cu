@@ -3,6 +3,7 @@
 namespace masu {
 
 template KernelSize launch_placed<WatertightRay<float>>(const DeviceFilesOf<float>&, const RayList&,
-                                                        const RaysRequest&, const RayBatch<float>&);
+                                                        const RaysRequest&, const RayBatch<float>&,
+                                                        const RayResults&);
 
 } // namespace masu

@@ -76,42 +76,33 @@ __global__ void __launch_bounds__(rays_per_block)
 // Code for triangles alone is compiled for float32.
 template <class TestRay, class Stored>
 KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list, const RaysRequest& request,
-                         const RayBatch<typename TestRay::Real>& batch) {
+                         const RayBatch<typename TestRay::Real>& batch, const RayResults& results) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
   const SceneView<Stored>& scene = files.scene.view;
   const std::uint32_t blocks = blocks_of(rays_per_block, batch.count);
   const cudaStream_t stream = batch.memory.stream;
-  if (needs_hits_in_order(list, batch.results, request) || files.placements->arrays.parts.is_brute_force) {
+  if (needs_hits_in_order(list, results, request) || files.placements->arrays.parts.is_brute_force) {
     auto* const kernel = placed_hits_kernel<OnDevice<General>, Stored>;
     batch.begin();
     launch(kernel, blocks, rays_per_block, stream, scene, files.placements->arrays.view(), batch.rays,
-           list.filters, list.placed_filters, batch.count, hit_rules(request), batch.results);
+           list.filters, list.placed_filters, batch.count, hit_rules(request), results);
     return files.kernels->of(kernel, rays_per_block).size;
   }
-  const RayResults& results = batch.results;
-  const bool names =
-      request.query == Query::nearest_hit && (results.primitive != nullptr || results.has_attributes());
-  const DeviceArray<float> t(names && results.t == nullptr ? batch.count : 0, batch.memory);
-  const DeviceArray<std::uint32_t> numbers(names && results.primitive == nullptr ? batch.count : 0,
-                                           batch.memory);
-  RayBatch<Real> found = batch;
-  if (t.data() != nullptr) found.results.t = t.data();
-  if (numbers.data() != nullptr) found.results.primitive = numbers.data();
   const bool triangles_alone = scene.sphere_count + scene.cone_count == 0;
   const PlacedList<Stored> placed{files.placements->arrays.view(), list.placed_filters.worlds};
   KernelSize size{};
   with_query(request.query, [&]<Query query>(QueryTag<query>) {
     if constexpr (std::is_same_v<TestRay, WatertightRay<float>>)
       if (triangles_alone) {
-        size = trace_by_hierarchy<query, Method<TestRay, with_triangles>>(files, placed, request.loop, found);
+        size = trace_by_hierarchy<query, Method<TestRay, with_triangles>>(files, placed, request.loop, batch);
         return;
       }
-    size = trace_by_refill<query, General>(files, placed, found);
+    size = trace_by_refill<query, General>(files, placed, batch);
   });
-  if (names)
+  if (request.query == Query::nearest_hit && (results.primitive != nullptr || results.has_attributes()))
     launch(placed_names_kernel<Real, Stored>, blocks, rays_per_block, stream, scene,
-           files.placements->arrays.view(), batch.rays, batch.count, found.results, results);
+           files.placements->arrays.view(), batch.rays, batch.count, batch.results, results);
   return size;
 }
 

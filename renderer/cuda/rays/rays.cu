@@ -47,32 +47,28 @@ KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayR
         DeviceArray<Ray<Real>> copy;
         const Box<Stored> box = stored.scene.view.clip;
         const Ray<Real>* const own = converted(rays, box, memory, copy);
-        if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
-          if (stored.placements != nullptr) {
-            size = launch_placed<TestRay>(stored, rays, request,
-                                          RayBatch<Real>{own, rays.count, results, nullptr, memory, begun});
-            if (request.query != Query::occlusion)
-              launch_to_list<Real>(rays, box, results, hit_rules(request).row(), memory);
-            return;
-          }
-          if (needs_hits_in_order(rays, results, request)) {
-            size = launch_hits<TestRay>(stored, hit_rules(request), rays.filters,
-                                        RayBatch<Real>{own, rays.count, results, nullptr, memory, begun});
-            launch_to_list<Real>(rays, box, results, hit_rules(request).row(), memory);
-            return;
-          }
-        }
-        const bool has_attributes = request.query == Query::nearest_hit && results.has_attributes();
-        const DeviceArray<float> t(has_attributes && results.t == nullptr ? rays.count : 0, memory);
-        const DeviceArray<std::uint32_t> primitive(
-            has_attributes && results.primitive == nullptr ? rays.count : 0, memory);
+        const bool is_placed = stored.placements != nullptr,
+                   in_order = needs_hits_in_order(rays, results, request),
+                   is_named = request.query == Query::nearest_hit && !in_order &&
+                              (results.has_attributes() || (is_placed && results.primitive != nullptr));
+        const DeviceArray<float> t(is_named && results.t == nullptr ? rays.count : 0, memory);
+        const DeviceArray<std::uint32_t> primitive(is_named && results.primitive == nullptr ? rays.count : 0,
+                                                   memory);
         RayResults found = results;
         if (t.data() != nullptr) found.t = t.data();
         if (primitive.data() != nullptr) found.primitive = primitive.data();
         const RayBatch<Real> batch{own, rays.count, found, counts, memory, begun};
-        size = launch_batch<TestRay>(stored, request, batch);
-        if (has_attributes) launch_attributes(stored, batch, results);
-        if (request.query == Query::nearest_hit) launch_to_list<Real>(rays, box, results, 1, memory);
+        if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
+          if (is_placed) size = launch_placed<TestRay>(stored, rays, request, batch, results);
+          if (in_order && !is_placed)
+            size = launch_hits<TestRay>(stored, hit_rules(request), rays.filters, batch);
+        }
+        if (!in_order && !is_placed) {
+          size = launch_batch<TestRay>(stored, request, batch);
+          if (is_named) launch_attributes(stored, batch, results);
+        }
+        if (request.query != Query::occlusion)
+          launch_to_list<Real>(rays, box, results, hit_rules(request).row(), memory);
       });
   return size;
 }
