@@ -31,7 +31,7 @@ trace_in_lanes([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]]
       if (query != Query::nearest_hit || (hit.primitive == no_primitive && !results.has_attributes())) return;
       if (!results.has_attributes() && !may_be_rounded<Real>(rays.format)) return;
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
-      if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
+      if (results.has_attributes()) write_attributes(scene, NoStructure{}, ray.ray, hit, results, i);
       to_list(ray.skipped, rays.format.origin, results, i, 1);
     };
     const auto by_list = [&]<class Tests>(Tests, const HierarchyView<Real>& hierarchy) {
@@ -70,7 +70,7 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
       write_costs(results.costs, i, ray_counts);
       add(counts, ray_counts);
       if (query != Query::nearest_hit) continue;
-      if (results.has_attributes()) write_attributes(scene, ray.ray, hit, results, i);
+      if (results.has_attributes()) write_attributes(scene, NoStructure{}, ray.ray, hit, results, i);
       to_list(ray.skipped, rays.format.origin, results, i, 1);
     }
     return counts;

@@ -60,7 +60,8 @@ struct Pixels {
     const std::size_t at = index(column, row);
     if (request.shaded) frame.radiance[at] = light;
     if (request.hits) frame.hits[at] = hit;
-    if (request.attributes) write_attributes(scene, ray(column, row), listed(hit), attributes, at);
+    if (request.attributes)
+      write_attributes(scene, NoStructure{}, ray(column, row), listed(hit), attributes, at);
   }
 };
 

@@ -84,7 +84,7 @@ void launch_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& r
     const auto columns = static_cast<std::uint64_t>(rays.columns);
     const Ray<Real> ray =
         camera_ray(rays, static_cast<std::int32_t>(i % columns), static_cast<std::int32_t>(i / columns));
-    write_attributes(scene, ray, listed(hits[i]), results, i);
+    write_attributes(scene, NoStructure{}, ray, listed(hits[i]), results, i);
   });
 }
 template void launch_attributes(const SceneView<float>&, const CameraRays<float>&,

@@ -44,7 +44,7 @@ struct HitRules {
   MASU_HD std::uint32_t row() const { return query == Query::all_hits ? limit : 1; }
 };
 
-// What depends on how a scene's primitives are held: what a ray doesn't hit, and how its hits are named.
+// What depends on how a scene's primitives are held: what a ray doesn't hit, and the numbers of its hits.
 template <class Structure>
 MASU_HD inline HitFilter filter_of(const Structure&, const RayFilters& filters, std::size_t i) {
   return filters.of(i);
@@ -52,22 +52,6 @@ MASU_HD inline HitFilter filter_of(const Structure&, const RayFilters& filters, 
 template <class Structure>
 MASU_HD inline PrimitiveIndex reported_primitive(const Structure&, PrimitiveIndex primitive) {
   return primitive;
-}
-template <class Stored, class Structure>
-MASU_HD inline void set_name(const SceneView<Stored>& scene, const Structure&, PrimitiveIndex primitive,
-                             HitAttributes& found) {
-  found.object = surface_of(scene, primitive).object;
-  found.face = face_of(scene, primitive);
-}
-template <class Stored, class Structure>
-MASU_HD inline const Triangle<Stored>& triangle_of(const SceneView<Stored>& scene, const Structure&,
-                                                   PrimitiveIndex primitive) {
-  return *scene.triangle(primitive);
-}
-template <class TestRay, class Stored, class Structure>
-MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const Structure&,
-                                     const NearHit<TestRay>& near, const RayResults& results, std::size_t i) {
-  write_attributes(scene, near, results, i);
 }
 
 // Writes the results of ray i.

@@ -21,19 +21,6 @@ MASU_HD inline PlacedRay<Stored> placed_ray(const PlacedView<Stored>& placed, co
   return ray;
 }
 
-// Object and primitive of a triangle's number, or of what stands beside.
-struct PlacedName {
-  std::uint32_t object, primitive;
-};
-template <class Stored>
-MASU_HD inline PlacedName name_of(const SceneView<Stored>& scene, const PlacedView<Stored>& placed,
-                                  PrimitiveIndex number) {
-  if (number >= scene.triangle_count)
-    return {placed.count + surface_of(scene, number).object, number - scene.triangle_count};
-  const std::uint32_t placement = placed.placement_of(number);
-  return {placement, number - placed.first_triangles[placement]};
-}
-
 template <class Stored>
 MASU_HD inline HitFilter filter_of(const PlacedRay<Stored>& seen, const RayFilters& filters, std::size_t i) {
   const PlacedView<Stored>& placed = seen.placed;
@@ -57,48 +44,37 @@ MASU_HD inline PrimitiveIndex reported_primitive(const PlacedRay<Stored>& seen, 
   return number - (number < triangles ? placed.first_triangles[placed.placement_of(number)] : triangles);
 }
 
+// Of a triangle's number, or of what stands beside.
 template <class Stored>
 MASU_HD inline void set_name(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen,
                              PrimitiveIndex number, HitAttributes& found) {
-  const PlacedName name = name_of(scene, seen.placed, number);
-  found.object = name.object;
-  found.face = name.primitive;
+  const PlacedView<Stored>& placed = seen.placed;
+  if (number >= scene.triangle_count) {
+    found.object = placed.count + surface_of(scene, number).object;
+    found.face = number - scene.triangle_count;
+  } else {
+    found.object = placed.placement_of(number);
+    found.face = number - placed.first_triangles[found.object];
+  }
 }
 template <class Stored>
 MASU_HD inline Triangle<Stored> triangle_of(const SceneView<Stored>&, const PlacedRay<Stored>& seen,
                                             PrimitiveIndex number) {
   return seen.placed.leaf(number).record;
 }
-
-template <class TestRay, class Stored>
-MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen,
-                                     const NearHit<TestRay>& near, const RayResults& results, std::size_t i) {
-  HitAttributes found;
-  const PrimitiveIndex number = near.hit.primitive;
-  if (number != no_primitive) {
-    set_name(scene, seen, number, found);
-    set_surface(
-        scene, near, [&] { return triangle_of(scene, seen, number); }, found);
-  }
-  write_attributes(found, results, i);
+template <class Stored>
+MASU_HD inline Leaf<Stored> leaf_of(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen,
+                                    PrimitiveIndex number) {
+  return number < scene.triangle_count ? seen.placed.leaf(number) : leaf_of(scene, number);
 }
 
 // Names ray i's nearest hit, given by its number, whose t counts from its own origin.
 template <class Real, class Stored>
-MASU_HD inline void write_named(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen, Ray<Real> ray,
-                                const Hit<float>& hit, const RayResults& results, std::size_t i) {
+MASU_HD inline void write_named(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen,
+                                const Ray<Real>& ray, const Hit<float>& hit, const RayResults& results,
+                                std::size_t i) {
   if (results.primitive != nullptr) results.primitive[i] = reported_primitive(seen, hit.primitive);
-  if (!results.has_attributes()) return;
-  if (hit.primitive == no_primitive)
-    return write_attributes(scene, seen, NearHit<WatertightRay<Real>>{{}, {0, no_primitive}, 0}, results, i);
-  const Real scale = scale_direction(ray);
-  const auto record = [&] {
-    return hit.primitive < scene.triangle_count ? seen.placed.leaf(hit.primitive)
-                                                : leaf_of(scene, hit.primitive);
-  };
-  write_attributes(scene, seen,
-                   hit_again(scene, ray, Hit<Real>{static_cast<Real>(hit.t) / scale, hit.primitive}, record),
-                   results, i);
+  if (results.has_attributes()) write_attributes(scene, seen, ray, hit, results, i);
 }
 
 } // namespace masu

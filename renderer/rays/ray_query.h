@@ -332,45 +332,57 @@ MASU_HD inline void set_on_triangle(HitAttributes& found, const SceneView<Stored
       interpolate(weights, cast<double>(triangle.a), cast<double>(triangle.b), cast<double>(triangle.c));
 }
 
-// Sets what is of the point of a hit. triangle_of(): the one of its primitive's number.
-template <class TestRay, class Stored, class TriangleOf>
-MASU_HD inline void set_surface(const SceneView<Stored>& scene, const NearHit<TestRay>& near,
-                                const TriangleOf& triangle_of, HitAttributes& found) {
-  if (near.hit.primitive < scene.triangle_count) {
-    const Triangle<Stored>& triangle = triangle_of();
-    const TriangleHit hit = triangle_hit(near.ray, near.hit.t, triangle);
-    set_on_triangle(found, scene, triangle, hit.normal, hit.u, hit.v);
-  } else {
-    const auto point = surface_at<with_spheres | with_cones>(scene, near);
-    found.normal = found.shading = cast<float>(point.normal);
-    found.position = cast<double>(point.position);
-  }
+// What depends on how a scene's primitives are held (placed_rays.h): how a hit is named, and its record.
+template <class Stored, class Structure>
+MASU_HD inline void set_name(const SceneView<Stored>& scene, const Structure&, PrimitiveIndex primitive,
+                             HitAttributes& found) {
+  found.object = surface_of(scene, primitive).object;
+  found.face = face_of(scene, primitive);
+}
+template <class Stored, class Structure>
+MASU_HD inline const Triangle<Stored>& triangle_of(const SceneView<Stored>& scene, const Structure&,
+                                                   PrimitiveIndex primitive) {
+  return *scene.triangle(primitive);
+}
+template <class Stored, class Structure>
+MASU_HD inline Leaf<Stored> leaf_of(const SceneView<Stored>& scene, const Structure&,
+                                    PrimitiveIndex primitive) {
+  return leaf_of(scene, primitive);
 }
 
 // Writes the attributes of a hit as element i; of a miss where `near` has no primitive.
-template <class TestRay, class Stored>
-MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearHit<TestRay>& near,
-                                     const RayResults& results, std::size_t i) {
+template <class TestRay, class Stored, class Structure>
+MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const Structure& structure,
+                                     const NearHit<TestRay>& near, const RayResults& results, std::size_t i) {
   HitAttributes found;
   const PrimitiveIndex primitive = near.hit.primitive;
   if (primitive != no_primitive) {
-    found.object = surface_of(scene, primitive).object;
-    found.face = face_of(scene, primitive);
-    set_surface(
-        scene, near, [&]() -> const Triangle<Stored>& { return *scene.triangle(primitive); }, found);
+    set_name(scene, structure, primitive, found);
+    if (primitive < scene.triangle_count) {
+      const Triangle<Stored>& triangle = triangle_of(scene, structure, primitive);
+      const TriangleHit hit = triangle_hit(near.ray, near.hit.t, triangle);
+      set_on_triangle(found, scene, triangle, hit.normal, hit.u, hit.v);
+    } else {
+      const auto point = surface_at<with_spheres | with_cones>(scene, near);
+      found.normal = found.shading = cast<float>(point.normal);
+      found.position = cast<double>(point.position);
+    }
   }
   write_attributes(found, results, i);
 }
 
 // Of ray i's hit, whose t counts from its own origin.
-template <class Real, class Stored>
-MASU_HD inline void write_attributes(const SceneView<Stored>& scene, Ray<Real> ray, const Hit<float>& hit,
-                                     const RayResults& results, std::size_t i) {
+template <class Real, class Stored, class Structure>
+MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const Structure& structure,
+                                     Ray<Real> ray, const Hit<float>& hit, const RayResults& results,
+                                     std::size_t i) {
   if (hit.primitive == no_primitive)
-    return write_attributes(scene, NearHit<WatertightRay<Real>>{{}, {0, no_primitive}, 0}, results, i);
+    return write_attributes(scene, structure, NearHit<WatertightRay<Real>>{{}, {0, no_primitive}, 0}, results,
+                            i);
   const Real scale = scale_direction(ray);
-  write_attributes(scene, hit_again(scene, ray, Hit<Real>{static_cast<Real>(hit.t) / scale, hit.primitive}),
-                   results, i);
+  const Hit<Real> scaled{static_cast<Real>(hit.t) / scale, hit.primitive};
+  const auto record = [&] { return leaf_of(scene, structure, hit.primitive); };
+  write_attributes(scene, structure, hit_again(scene, ray, scaled, record), results, i);
 }
 
 } // namespace masu

@@ -29,7 +29,8 @@ __global__ void __launch_bounds__(rays_per_block)
     attributes_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint64_t count,
                       const RayResults found, const RayResults results) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_per_block + threadIdx.x;
-  if (i < count) write_attributes(scene, streamed(rays + i), {found.t[i], found.primitive[i]}, results, i);
+  if (i < count)
+    write_attributes(scene, NoStructure{}, streamed(rays + i), {found.t[i], found.primitive[i]}, results, i);
 }
 
 // Of hits in order, through any structure: one kernel for all such queries.
