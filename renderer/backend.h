@@ -18,9 +18,6 @@
 namespace masu {
 
 struct DeviceFiles; // a scene and its structure in a GPU's memory
-template <class Stored>
-struct PlacedOnHost;
-struct PlacementMoves;
 
 // Where a frame keeps its costs.
 inline RayCosts costs_of(Frame& frame) {
@@ -64,10 +61,6 @@ Structure built_hierarchy_cuda(const DeviceFiles& files);
 // ResidentTracer::moved() on a device, of a scene of that origin: null where it returns none.
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,
                                                     const Vertices& vertices);
-// Placed meshes (placed_tracer.h), of either store, at first and moved, on a device.
-template <class Stored>
-std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<Stored>& host, int device);
-std::shared_ptr<const DeviceFiles> placed_files_cuda(const DeviceFiles& files, const PlacementMoves& moves);
 // The kinds of primitives in them (with_triangles, …).
 unsigned kinds_on(const DeviceFiles& files);
 

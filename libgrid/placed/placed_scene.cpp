@@ -111,16 +111,17 @@ std::vector<std::uint32_t> placed_triangles(const PlacedScene& scene, std::uint6
 }
 
 template <class Stored>
-PlaceableMeshes<Stored> placeable_meshes(const PlacedScene& scene, HierarchyQuality quality,
-                                         ProgressMonitor* progress) {
-  const auto view = scene.meshes->view<Stored>();
+PlaceableMeshes<Stored> placeable_meshes(const PlacedScene& scene, const SceneView<Stored>& view,
+                                         HierarchyQuality quality, ProgressMonitor* progress) {
   PlaceableMeshes<Stored> meshes;
   for (std::size_t i = 0; i + 1 < scene.mesh_triangles.size(); ++i)
     add_mesh(triangles_of(scene, view, i), quality, progress, meshes);
   return meshes;
 }
-template PlaceableMeshes<float> placeable_meshes(const PlacedScene&, HierarchyQuality, ProgressMonitor*);
-template PlaceableMeshes<double> placeable_meshes(const PlacedScene&, HierarchyQuality, ProgressMonitor*);
+template PlaceableMeshes<float> placeable_meshes(const PlacedScene&, const SceneView<float>&,
+                                                 HierarchyQuality, ProgressMonitor*);
+template PlaceableMeshes<double> placeable_meshes(const PlacedScene&, const SceneView<double>&,
+                                                  HierarchyQuality, ProgressMonitor*);
 
 template <class Stored>
 PlacedOnHost<Stored>::PlacedOnHost(std::shared_ptr<const PlacedScene> scene_,

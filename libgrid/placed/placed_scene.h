@@ -6,6 +6,7 @@
 #include "libscene/passes/host_executor.h"
 
 #include <memory>
+#include <variant>
 #include <vector>
 
 namespace masu {
@@ -45,10 +46,10 @@ struct PlaceableMeshes {
   std::vector<PlacedMesh<Stored>> meshes{};
 };
 
-// Their hierarchies are built on the CPU. Throws as build_hierarchy() does.
+// Their hierarchies are built on the CPU. `view`: of the scene's meshes. Throws as build_hierarchy() does.
 template <class Stored>
-PlaceableMeshes<Stored> placeable_meshes(const PlacedScene& scene, HierarchyQuality quality,
-                                         ProgressMonitor* progress = nullptr);
+PlaceableMeshes<Stored> placeable_meshes(const PlacedScene& scene, const SceneView<Stored>& view,
+                                         HierarchyQuality quality, ProgressMonitor* progress);
 
 // Of a scene with its `beside` as it is seen, where array(one of the host's) says that an array lies.
 template <class Stored, class ArrayAt>
@@ -82,5 +83,6 @@ struct PlacedOnHost {
                std::shared_ptr<const PlaceableMeshes<Stored>> meshes, std::vector<Transform> transforms,
                bool is_brute_force);
 };
+using AnyPlacedOnHost = std::variant<PlacedOnHost<float>, PlacedOnHost<double>>;
 
 } // namespace masu

@@ -4,6 +4,10 @@
 #include "libscene/base/stopwatch.h"
 #include "renderer/backend.h"
 #include "renderer/dispatch.h"
+#include "renderer/rays/list_progress.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 namespace masu {
 
@@ -18,6 +22,19 @@ double seconds_of(const Act& act) {
   const Stopwatch watch;
   act();
   return watch.seconds();
+}
+
+// Calls act(i) for each of a list whose queries take long, and of so many tests each, on all cores.
+template <class Act>
+void for_each_in_list(const RayList& list, const RaysRequest& request, std::uint64_t tests_each,
+                      const Act& act) {
+  ListProgress progress(request.progress, list.count, 16, tests_each);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, list.count, 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      progress.done(i);
+      act(i);
+    }
+  });
 }
 
 // Calls act(SceneView, grid's view, Method, counts).

@@ -1,12 +1,9 @@
 #include "renderer/cpu/on_cpu.h"
 #include "renderer/rays/closest_points.h"
-#include "renderer/rays/list_progress.h"
 #ifdef MASU_HOST_AVX2
 #include "renderer/cpu/packet_lists.h"
 #endif
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 namespace masu {
@@ -84,32 +81,22 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
 // Of hits in order: through any structure, of any kind.
 template <class TestRay, class Stored>
 void list_hits(const SceneView<Stored>& scene, const StructureFile* structure, const RayList& rays,
-               const RayResults& results, const HitRules& rules,
-               const std::function<void(double)>& report_progress) {
+               const RayResults& results, const RaysRequest& request) {
   using Real = typename TestRay::Real;
-  ListProgress progress(report_progress, rays.count, 16, structure == nullptr ? scene.primitive_count() : 0);
+  const HitRules rules = hit_rules(request);
   const AnyStructure<Real> view = any_structure<Real>(records_of(structure));
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task / 16), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          progress.done(i);
-          const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
-          write_hits<Method<TestRay, with_all_kinds>>(scene, view, ray.ray, rays.filters, rules, results, i);
-          to_list(ray.skipped, rays.format.origin, results, i * rules.row(), rules.row());
-        }
-      });
+  for_each_in_list(rays, request, structure == nullptr ? scene.primitive_count() : 0, [&](std::size_t i) {
+    const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
+    write_hits<Method<TestRay, with_all_kinds>>(scene, view, ray.ray, rays.filters, rules, results, i);
+    to_list(ray.skipped, rays.format.origin, results, i * rules.row(), rules.row());
+  });
 }
 
 void find_closest(const SceneFile& scene, const StructureFile* hierarchy, const RayList& places,
-                  const RayResults& results, const std::function<void(double)>& report_progress) {
-  ListProgress progress(report_progress, places.count, 16,
-                        hierarchy == nullptr ? scene.primitive_count() : 0);
+                  const RayResults& results, const RaysRequest& request) {
   const auto search = [&](const auto& view, const auto& structure) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.count, 256), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        write_closest(view, structure, places.rays, places.format, places.filters, results, i);
-        progress.done(i);
-      }
+    for_each_in_list(places, request, hierarchy == nullptr ? view.primitive_count() : 0, [&](std::size_t i) {
+      write_closest(view, structure, places.rays, places.format, places.filters, results, i);
     });
   };
   scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
@@ -123,17 +110,15 @@ QueryReport trace_rays_cpu(const SceneFile& scene, const StructureFile* structur
                            const RayResults& results, const RaysRequest& request) {
   QueryReport report;
   if (request.query == Query::closest_point) {
-    report.seconds.trace =
-        seconds_of([&] { find_closest(scene, structure, rays, results, request.progress); });
+    report.seconds.trace = seconds_of([&] { find_closest(scene, structure, rays, results, request); });
     return report;
   }
   if (needs_hits_in_order(rays, results, request)) {
     with_store_and_arithmetic(
         scene, request.tracing.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
           if constexpr (!std::is_same_v<TestRay, TextbookRay>)
-            report.seconds.trace = seconds_of([&] {
-              list_hits<TestRay>(view, structure, rays, results, hit_rules(request), request.progress);
-            });
+            report.seconds.trace =
+                seconds_of([&] { list_hits<TestRay>(view, structure, rays, results, request); });
         });
     return report;
   }

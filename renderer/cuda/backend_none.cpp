@@ -2,6 +2,7 @@
 #include "renderer/backend.h"
 
 #include "libscene/base/error.h"
+#include "renderer/tracer/placed_tracer.h"
 
 namespace masu {
 namespace {
@@ -29,12 +30,9 @@ Structure built_hierarchy_cuda(const DeviceFiles&) {
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles&, const Vec3d&, const Vertices&) {
   refuse();
 }
-template <class Stored>
-std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<Stored>&, int) {
+std::shared_ptr<const DeviceFiles> upload_placed_cuda(const AnyPlacedOnHost&, int) {
   refuse();
 }
-template std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<float>&, int);
-template std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<double>&, int);
 std::shared_ptr<const DeviceFiles> placed_files_cuda(const DeviceFiles&, const PlacementMoves&) {
   refuse();
 }

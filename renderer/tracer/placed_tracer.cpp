@@ -39,58 +39,47 @@ void replace(std::vector<Transform>& transforms, const PlacementMoves& moves, co
 PlacedTracer::PlacedTracer(std::shared_ptr<const PlacedScene> scene, HierarchyQuality quality,
                            bool is_brute_force, std::vector<int> gpus,
                            const std::function<void(double)>& progress)
-    : gpus_(std::move(gpus)), host_(std::make_shared<const OnHost>([&]() -> OnHost {
-        ProgressMonitor monitor(progress);
-        const auto made = [&]<class Stored>(Stored) {
-          auto meshes = std::make_shared<const PlaceableMeshes<Stored>>(
-              placeable_meshes<Stored>(*scene, quality, &monitor));
-          return PlacedOnHost<Stored>(scene, std::move(meshes), scene->transforms, is_brute_force);
-        };
-        if (scene->meshes->is_float64()) return made(0.0);
-        return made(0.0F);
-      }())) {
-  turn_ = std::make_shared<std::atomic<std::size_t>>(0);
-  files_.resize(gpus_.size());
+    : scene_(std::move(scene)), gpus_(std::move(gpus)), files_(gpus_.size()),
+      turn_(std::make_shared<std::atomic<std::size_t>>(0)) {
+  ProgressMonitor monitor(progress);
+  host_ = scene_->meshes->with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    auto meshes =
+        std::make_shared<const PlaceableMeshes<Stored>>(placeable_meshes(*scene_, view, quality, &monitor));
+    return std::make_shared<const AnyPlacedOnHost>(
+        PlacedOnHost<Stored>(scene_, std::move(meshes), scene_->transforms, is_brute_force));
+  });
   on_threads(gpus_.size(), [&](std::size_t i) {
     set_up_cuda(gpus_[i]);
-    files_[i] = std::visit([&](const auto& host) { return upload_placed_cuda(host, gpus_[i]); }, *host_);
+    files_[i] = upload_placed_cuda(*host_, gpus_[i]);
   });
 }
 
-const PlacedScene& PlacedTracer::scene() const {
-  return std::visit([](const auto& host) -> const PlacedScene& { return *host.scene; }, *host_);
-}
-
 PlacedTracer PlacedTracer::moved(const PlacementMoves& moves) const {
-  if (moves.indices == nullptr && moves.count != scene().count())
-    fail("placements", fmt::format("are {}, the scene has {}", moves.count, scene().count()));
-  if (!gpus_.empty()) {
-    PlacedTracer tracer = *this;
-    on_threads(files_.size(),
-               [&](std::size_t i) { tracer.files_[i] = placed_files_cuda(*files_[i], moves); });
-    return tracer;
-  }
-  return std::visit(
-      [&]<class Host>(const Host& host) {
-        std::vector<Transform> transforms = host.transforms;
-        moves.floats != nullptr ? replace(transforms, moves, moves.floats)
-                                : replace(transforms, moves, moves.doubles);
-        return PlacedTracer(
-            *this, Host(host.scene, host.meshes, std::move(transforms), host.arrays.parts.is_brute_force));
-      },
-      *host_);
+  if (moves.indices == nullptr && moves.count != scene_->count())
+    fail("placements", fmt::format("are {}, the scene has {}", moves.count, scene_->count()));
+  PlacedTracer tracer = *this;
+  on_threads(files_.size(), [&](std::size_t i) { tracer.files_[i] = placed_files_cuda(*files_[i], moves); });
+  const auto on_host = [&]<class Host>(const Host& host) {
+    std::vector<Transform> transforms = host.transforms;
+    moves.floats != nullptr ? replace(transforms, moves, moves.floats)
+                            : replace(transforms, moves, moves.doubles);
+    tracer.host_ = std::make_shared<const AnyPlacedOnHost>(
+        Host(host.scene, host.meshes, std::move(transforms), host.arrays.parts.is_brute_force));
+  };
+  if (gpus_.empty()) std::visit(on_host, *host_);
+  return tracer;
 }
 
 RaysRequest PlacedTracer::resolved(const RayList& rays, const RayResults& results,
                                    const RaysRequest& request) const {
   RaysRequest resolved = request;
-  resolved.tracing.precision = masu::resolved(request.tracing.precision, *scene().meshes);
+  resolved.tracing.precision = masu::resolved(request.tracing.precision, *scene_->meshes);
   if (resolved.tracing.precision == Precision::fast)
     fail("precision", "fast isn't there for placed meshes: take robust or double");
   if (request.tracing.count || results.costs.wanted()) fail("rays", "through placed meshes can't be counted");
   RayList checked = rays;
   if (rays.filters.object_masks == nullptr) checked.filters.ray_masks = nullptr; // placements have their own
-  check_query(checked, results, resolved, scene().objects());
+  check_query(checked, results, resolved, scene_->objects());
   if ((rays.filters.excluded != nullptr) != (rays.placed_filters.excluded_objects != nullptr))
     fail("exclude", "needs the objects of its primitives, too: placements");
   return resolved;
@@ -100,12 +89,12 @@ RaysRequest PlacedTracer::resolved(const RayList& rays, const RayResults& result
 // go different ways, and idle lanes are worth more than that.
 RayLoop PlacedTracer::usual_loop(bool coherent) const {
   constexpr std::uint32_t few = 256;
-  if (scene().count() / std::max(scene().world_count, 1U) >= few) return RayLoop::warp_refill;
+  if (scene_->count() / std::max(scene_->world_count, 1U) >= few) return RayLoop::warp_refill;
   return coherent ? RayLoop::thread_per_ray : RayLoop::automatic;
 }
 
 RayList PlacedTracer::to_local(RayList rays) const {
-  rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : scene().origin();
+  rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : scene_->origin();
   return rays;
 }
 
@@ -113,9 +102,7 @@ QueryReport PlacedTracer::trace(const RayList& rays, const RayResults& results,
                                 const RaysRequest& request) const {
   const RaysRequest checked = resolved(rays, results, request);
   const RayList local = to_local(rays);
-  if (gpus_.empty())
-    return std::visit([&](const auto& host) { return trace_placed_cpu(host, local, results, checked); },
-                      *host_);
+  if (gpus_.empty()) return trace_placed_cpu(*host_, local, results, checked);
   const std::span all(files_);
   return trace_by_gpus(rays.count <= rays_per_piece(request)
                            ? all.subspan(turn_->fetch_add(1, std::memory_order_relaxed) % all.size(), 1)

@@ -7,8 +7,6 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <span>
-#include <variant>
 #include <vector>
 
 namespace masu {
@@ -47,23 +45,21 @@ public:
                               void* stream, int gpu) const;
 
 private:
-  using OnHost = std::variant<PlacedOnHost<float>, PlacedOnHost<double>>;
-
-  PlacedTracer(const PlacedTracer& before, OnHost host)
-      : gpus_(before.gpus_), host_(std::make_shared<const OnHost>(std::move(host))) {}
   RayList to_local(RayList rays) const;
-  const PlacedScene& scene() const;
   RaysRequest resolved(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
 
+  std::shared_ptr<const PlacedScene> scene_;
   std::vector<int> gpus_;
   std::vector<std::shared_ptr<const DeviceFiles>> files_; // of each GPU
   std::shared_ptr<std::atomic<std::size_t>> turn_;        // of small queries among several GPUs
-  std::shared_ptr<const OnHost> host_;                    // where it began, if it is on GPUs
+  std::shared_ptr<const AnyPlacedOnHost> host_;           // where it began, if it is on GPUs
 };
 
-// On the CPU, of a list that is checked; the request's precision is resolved.
-template <class Stored>
-QueryReport trace_placed_cpu(const PlacedOnHost<Stored>& host, const RayList& rays, const RayResults& results,
+// As backend.h has devices. On the CPU, of a list that is checked; the request's precision is resolved.
+QueryReport trace_placed_cpu(const AnyPlacedOnHost& host, const RayList& rays, const RayResults& results,
                              const RaysRequest& request);
+// On a GPU: at first, and moved.
+std::shared_ptr<const DeviceFiles> upload_placed_cuda(const AnyPlacedOnHost& host, int device);
+std::shared_ptr<const DeviceFiles> placed_files_cuda(const DeviceFiles& files, const PlacementMoves& moves);
 
 } // namespace masu

@@ -80,18 +80,15 @@ DeviceArray<Transform> replaced(const DeviceArray<Transform>& before, const Plac
 
 } // namespace
 
-template <class Stored>
-std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<Stored>& host, int device) {
+std::shared_ptr<const DeviceFiles> upload_placed_cuda(const AnyPlacedOnHost& host, int device) {
   const DeviceScope scope(device);
   auto files = std::make_shared<DeviceFiles>(std::make_shared<DeviceMemory>(device));
-  if constexpr (std::is_same_v<Stored, float>)
-    upload_placed(host, *files, files->float32);
+  if (const auto* const of_floats = std::get_if<PlacedOnHost<float>>(&host))
+    upload_placed(*of_floats, *files, files->float32);
   else
-    upload_placed(host, *files, files->float64);
+    upload_placed(std::get<PlacedOnHost<double>>(host), *files, files->float64);
   return files;
 }
-template std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<float>&, int);
-template std::shared_ptr<const DeviceFiles> upload_placed_cuda(const PlacedOnHost<double>&, int);
 
 std::shared_ptr<const DeviceFiles> placed_files_cuda(const DeviceFiles& files, const PlacementMoves& moves) {
   const DeviceMemory& memory = *files.memory;
