@@ -112,13 +112,6 @@ MASU_HD inline Boxd around_all(const PlacedParts<Stored>& parts, const PlacedSur
   return join(cast<double>(survey.around), parts.beside_bounds);
 }
 
-// The first placement that is too large for the others' reach.
-struct FirstFar {
-  std::uint32_t number = no_primitive;
-};
-MASU_HD inline FirstFar join(const FirstFar& a, const FirstFar& b) {
-  return {min(a.number, b.number)};
-}
 // Pads placement i, and lists those whose box reaches beyond the triangles that are known.
 template <class Stored>
 struct PadPlacement {
@@ -127,18 +120,17 @@ struct PadPlacement {
   Placement<Stored>* placements;
   std::uint32_t *listed, *listed_count;
 
-  MASU_HD FirstFar operator()(std::uint64_t index) const {
+  MASU_HD void operator()(std::uint64_t index) const {
     const auto i = static_cast<std::uint32_t>(index);
     const PlacedMesh<Stored>& mesh = parts.meshes[parts.mesh[i]];
-    if (survey->first_singular != no_primitive || is_empty(mesh.box)) return {};
+    if (survey->first_singular != no_primitive || is_empty(mesh.box)) return;
     const double reach = largest_magnitude(padded_bounds<Stored>(around_all(parts, *survey)));
     const Boxd box = cast<double>(mesh.box);
     const Vec3d low = magnitudes(box.min), high = magnitudes(box.max);
     const Vec3d extent{max(low.x, high.x), max(low.y, high.y), max(low.z, high.z)};
-    if (!pad(extent, reach, placements[i])) return {i};
+    if (!pad(extent, reach, placements[i])) return;
     if (reach_beyond(survey->known, placed_box(placements[i], mesh.box)) > 0)
       listed[added(*listed_count, 1)] = i;
-    return {};
   }
 };
 
@@ -169,22 +161,24 @@ struct SearchListed {
 template <class Stored>
 struct PlacedFindings {
   PlacedSurvey<Stored> survey{};
-  FirstFar far{};
+  std::uint32_t first_far = no_primitive;      // that is too large for the others' reach
   Box<Stored> triangles = empty_box<Stored>(); // their bounds
 };
 template <class Stored>
 MASU_HD inline PlacedFindings<Stored> join(const PlacedFindings<Stored>& a, const PlacedFindings<Stored>& b) {
-  return {join(a.survey, b.survey), join(a.far, b.far), join(a.triangles, b.triangles)};
+  return {join(a.survey, b.survey), min(a.first_far, b.first_far), join(a.triangles, b.triangles)};
 }
 template <class Stored>
 struct FindingsOf {
   const PlacedSurvey<Stored>* survey;
-  const FirstFar* far;
+  const Placement<Stored>* placements;
   const std::uint32_t* listed_count;
   const Box<Stored>* bounds;
 
   MASU_HD PlacedFindings<Stored> operator()(std::uint64_t i) const {
-    return {*survey, *far, i < *listed_count ? bounds[i] : survey->known};
+    const bool is_far = placements[i].padding == too_far;
+    return {*survey, is_far ? static_cast<std::uint32_t>(i) : no_primitive,
+            i < *listed_count ? bounds[i] : survey->known};
   }
 };
 
@@ -242,13 +236,12 @@ ArrayOf<Executor, PlacedFindings<Stored>> found_of(Executor& executor, const Pla
   const auto survey_there = executor.template joined<PlacedSurvey<Stored>>(
       parts.count, InvertPlacement<Stored>{parts, transforms, placements, listed_count});
   const PlacedSurvey<Stored>* const survey = survey_there.data();
-  const auto far_there = executor.template joined<FirstFar>(
-      parts.count, PadPlacement<Stored>{parts, survey, placements, listed, listed_count});
+  executor.for_each(parts.count, PadPlacement<Stored>{parts, survey, placements, listed, listed_count});
   const std::uint32_t groups = min(parts.count, 4096U); // fill any device; few are listed
   executor.for_each_by_group(
       groups, SearchListed<Stored>{parts, survey, placements, listed, listed_count, bounds, groups});
   return executor.template joined<PlacedFindings<Stored>>(
-      parts.count, FindingsOf<Stored>{survey, far_there.data(), listed_count, bounds});
+      parts.count, FindingsOf<Stored>{survey, placements, listed_count, bounds});
 }
 
 // bounds_of_all(). Throws Error(usage, "placements", …) for a transform that has no inverse or isn't finite,
@@ -264,8 +257,8 @@ Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedFindings<Store
   };
   const Boxd around = around_all(parts, found.survey);
   if (!is_empty(around) && largest_magnitude(around) > 2 * max_hierarchy_reach) check_reach(around);
-  if (found.far.number != no_primitive)
-    fail("number " + std::to_string(found.far.number) +
+  if (found.first_far != no_primitive)
+    fail("number " + std::to_string(found.first_far) +
          " shrinks its mesh too much for how far the scene reaches");
   const Boxd bounds = bounds_of_all(parts, found);
   check_reach(bounds);

@@ -81,7 +81,6 @@ struct PlacedSearch {
 template <class Stored>
 struct UpperHierarchy {
   const HierarchyNode* nodes;
-  const PlacedView<Stored>& placed;
 };
 template <class Stored>
 MASU_HD inline bool show_item(const UpperHierarchy<Stored>& above, std::uint32_t node,
@@ -104,7 +103,7 @@ MASU_HD inline void search(const PlacedRay<Stored>& seen, ClosestSearch<Stored>&
         all.primitive(i);
     return;
   }
-  const UpperHierarchy<Stored> above{placed.upper_nodes, placed};
+  const UpperHierarchy<Stored> above{placed.upper_nodes};
   const auto search_from = [&](std::uint32_t root) {
     if (root != no_root) search(above, all, root);
   };

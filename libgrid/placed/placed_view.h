@@ -8,6 +8,7 @@
 
 #include "libgrid/hierarchy/hierarchy.h"
 #include "libgrid/placed/placement.h"
+#include "libscene/passes/executor.h"
 
 namespace masu {
 
@@ -53,12 +54,7 @@ struct PlacedView {
   }
   // Of a triangle's number.
   MASU_HD std::uint32_t placement_of(PrimitiveIndex number) const {
-    std::uint32_t low = 0, high = count;
-    while (high - low > 1) {
-      const std::uint32_t middle = low + (high - low) / 2;
-      (first_triangles[middle] <= number ? low : high) = middle;
-    }
-    return low;
+    return last_not_above(count, number, [this](std::uint32_t i) { return first_triangles[i]; });
   }
   // Of a placement a leaf of its mesh: with its number among all triangles.
   MASU_HD Leaf<Stored> leaf(std::uint32_t placement, std::uint32_t of_mesh) const {

@@ -151,6 +151,7 @@ MASU_HD inline Vec3d magnitudes(const Vec3d& v) {
 // How far apart coordinates in both spaces may be scaled, and how far away a carried origin may be: far
 // enough from where products with inverses (boxes.h) would overflow.
 inline constexpr double max_placed_scale = 0x1p40, max_carried = 0x1p62;
+inline constexpr float too_far = INFINITY; // as a padding
 
 inline constexpr const char* not_invertible =
     "can't be inverted: its transform is singular, not finite, or scales by more than 2^40";
@@ -187,7 +188,7 @@ MASU_HD inline bool set_transform(const Vec3d& origin, const Transform& transfor
 }
 
 // Fills in the padding for rays clipped to what is no farther than `reach` from the origin. `extent`: the
-// largest magnitudes of the mesh's coordinates. False where it would be too large.
+// largest magnitudes of the mesh's coordinates. False, and too_far, where it would be too large.
 template <class Stored>
 MASU_HD inline bool pad(const Vec3d& extent, double reach, Placement<Stored>& placement) {
   constexpr auto u = static_cast<double>(RealTraits<Stored>::unit_roundoff);
@@ -197,6 +198,7 @@ MASU_HD inline bool pad(const Vec3d& extent, double reach, Placement<Stored>& pl
   const Vec3d t = magnitudes(cast<double>(placement.translation())), all{reach, reach, reach};
   const Vec3d of_reach = magnitudes_times(n, all), of_origin = magnitudes_times(n, all * 1.01 + t),
               of_corners = magnitudes_times(n, magnitudes_times(m, extent) + t);
+  placement.padding = too_far;
   double most = 0;
   for (int k = 0; k < 3; ++k) {
     double of_inverse = 0;

@@ -36,11 +36,11 @@
 namespace masu {
 
 // The last i with of(i) <= value, of `count` that rise from of(0) <= value.
-template <class Of, class Value>
-MASU_HD std::uint64_t last_not_above(std::uint64_t count, const Value& value, const Of& of) {
-  std::uint64_t low = 0, high = count;
+template <class Of, class Value, class Index>
+MASU_HD Index last_not_above(Index count, const Value& value, const Of& of) {
+  Index low = 0, high = count;
   while (high - low > 1) {
-    const std::uint64_t middle = low + (high - low) / 2;
+    const Index middle = low + (high - low) / 2;
     (of(middle) <= value ? low : high) = middle;
   }
   return low;

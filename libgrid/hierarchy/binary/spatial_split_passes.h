@@ -88,11 +88,8 @@ struct Partition {
     const bool is_left = left_before[i + 1] != left_before[i];
     if (is_left == (i < left)) return i;
     if (is_left)
-      return static_cast<std::uint32_t>(last_not_above(left, left - 1 - lefts(i), [this](std::uint64_t k) {
-        return static_cast<std::uint32_t>(k) - lefts(k);
-      }));
-    return static_cast<std::uint32_t>(
-        last_not_above(count, left - 1 - (i - lefts(i)), [this](std::uint64_t k) { return lefts(k); }));
+      return last_not_above(left, left - 1 - lefts(i), [this](std::uint32_t k) { return k - lefts(k); });
+    return last_not_above(count, left - 1 - (i - lefts(i)), [this](std::uint32_t k) { return lefts(k); });
   }
 };
 
