@@ -27,9 +27,9 @@ struct State {
   std::shared_ptr<const masu::SceneFile> scene;    // none of placed meshes
   std::shared_ptr<const masu::StructureFile> grid; // likewise, for brute force, and what was built on GPUs
   std::variant<masu::ResidentTracer, masu::PlacedTracer> tracer;
-  std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
-  bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
-  mutable std::mutex mutex;                // of what follows
+  bool is_on_gpu_alone = false;   // moved there: what `scene` and `grid` say of places is of before
+  mutable masu::UsualLoops loops; // found out by the first query
+  mutable std::mutex mutex;       // of what follows
   mutable std::shared_ptr<const masu::StructureFile> built_grid; // a copy of what was built on GPUs
   // For closest points and winding numbers, made by their first query.
   mutable std::shared_ptr<const State> by_hierarchy;
@@ -40,14 +40,13 @@ struct State {
         const std::vector<int>& gpus)
       : scene(std::move(scene_)), grid(std::move(grid_)),
         tracer(std::in_place_type<masu::ResidentTracer>, *scene, grid.get(),
-               gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus),
-        loops(std::make_shared<masu::UsualLoops>()) {}
-  State(std::shared_ptr<const masu::SceneFile> scene_, masu::ResidentTracer built)
-      : scene(std::move(scene_)), tracer(std::move(built)) {}
-  State(const State& before, std::shared_ptr<const masu::StructureFile> grid_, masu::ResidentTracer moved)
-      : scene(before.scene), grid(std::move(grid_)), tracer(std::move(moved)), loops(before.loops),
-        is_on_gpu_alone(true) {}
-  explicit State(masu::PlacedTracer tracer_) : tracer(std::move(tracer_)) {}
+               gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus) {}
+  // Made on GPUs: built there, or moved, from that grid.
+  State(masu::ResidentTracer made, std::shared_ptr<const masu::SceneFile> scene_,
+        std::shared_ptr<const masu::StructureFile> grid_ = nullptr)
+      : scene(std::move(scene_)), grid(std::move(grid_)), tracer(std::move(made)),
+        is_on_gpu_alone(grid != nullptr) {}
+  explicit State(masu::PlacedTracer placed) : tracer(std::move(placed)) {}
 
   const masu::PlacedTracer* placed() const { return std::get_if<masu::PlacedTracer>(&tracer); } // or none
   const masu::ResidentTracer& resident() const { return std::get<masu::ResidentTracer>(tracer); }
@@ -203,7 +202,7 @@ std::shared_ptr<const State> with_fast_hierarchy(const std::shared_ptr<const Sce
                                                  const std::vector<int>& gpus,
                                                  const std::function<void(double)>& progress) {
   if (!gpus.empty())
-    return std::make_shared<const State>(scene, ResidentTracer::by_fast_hierarchy(*scene, gpus, progress));
+    return std::make_shared<const State>(ResidentTracer::by_fast_hierarchy(*scene, gpus, progress), scene);
   auto hierarchy =
       std::make_shared<const StructureFile>(built_in_memory(*scene, fast_hierarchy_options(), progress));
   return std::make_shared<const State>(scene, std::move(hierarchy), gpus);
@@ -281,7 +280,7 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
     else if (state->grid)
       request.loop = place == host_memory && count >= rays_worth_a_sample
                          ? automatic_loop(tracer, list, request.query, request.tracing.precision)
-                         : state->loops->of(tracer, wanted.coherent != 0);
+                         : state->loops.of(tracer, wanted.coherent != 0);
   }
   trace_by(tracer);
 }
@@ -333,11 +332,23 @@ std::shared_ptr<const State> moved(const State& before, const Vertices& vertices
   require_hierarchy(hierarchy.get());
   if (before.resident().device() == Device::cuda) {
     if (std::optional<ResidentTracer> tracer = before.resident().moved(vertices))
-      return std::make_shared<const State>(before, hierarchy, *std::move(tracer));
+      return std::make_shared<const State>(*std::move(tracer), before.scene, hierarchy);
   }
   auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));
   auto grid = std::make_shared<const StructureFile>(refitted_grid(*hierarchy, *scene));
   return std::make_shared<const State>(std::move(scene), std::move(grid), before.resident().gpus());
+}
+
+// Has a tracer go on with next(the state before it). Isolated, or a thread that waits might take another task
+// of the program that updates.
+template <class Next>
+masu_status update(masu_tracer* tracer, const Next& next) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    const std::lock_guard lock(tracer->update);
+    const auto before = tracer->state();
+    tbb::this_task_arena::isolate([&] { tracer->set_state(next(*before)); });
+  });
 }
 
 } // namespace
@@ -397,28 +408,18 @@ masu_status masu_tracer_grid(const masu_tracer* tracer, masu_grid** grid) {
 }
 
 masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertices) {
-  return guarded([&] {
-    require(tracer, "tracer");
+  return update(tracer, [&](const State& before) {
     const masu_vertices given = taken(vertices, "masu_vertices");
-    const std::lock_guard lock(tracer->update);
-    const auto before = tracer->state();
-    if (before->placed() != nullptr) fail("tracer", "is of placed meshes: masu_tracer_place() moves them");
-    // Isolated, or a thread that waits might take another task of the program that updates.
-    tbb::this_task_arena::isolate(
-        [&] { tracer->set_state(moved(*before, vertices_of(given, tracer->vertices))); });
+    if (before.placed() != nullptr) fail("tracer", "is of placed meshes: masu_tracer_place() moves them");
+    return moved(before, vertices_of(given, tracer->vertices));
   });
 }
 
 masu_status masu_tracer_place(masu_tracer* tracer, const masu_transforms* transforms) {
-  return guarded([&] {
-    require(tracer, "tracer");
+  return update(tracer, [&](const State& before) {
     const masu_transforms given = taken(transforms, "masu_transforms");
-    const std::lock_guard lock(tracer->update);
-    const auto before = tracer->state();
-    if (before->placed() == nullptr) fail("tracer", "has no placements: masu_tracer_update() moves vertices");
-    const PlacementMoves moves = moves_of(given);
-    tbb::this_task_arena::isolate(
-        [&] { tracer->set_state(std::make_shared<const State>(before->placed()->moved(moves))); });
+    if (before.placed() == nullptr) fail("tracer", "has no placements: masu_tracer_update() moves vertices");
+    return std::make_shared<const State>(before.placed()->moved(moves_of(given)));
   });
 }
 

@@ -9,8 +9,10 @@
 #include "libscene/mesh/move_passes.h"
 #include "libscene/passes/host_executor.h"
 #include "objects.h"
-#include "renderer/precision.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -43,18 +45,11 @@ IndexedMesh mesh_of(const masu_mesh& given, HostCopies& copies) {
   return mesh;
 }
 
-Sphere<double> made_of(const auto* numbers, const Sphere<double>*) {
-  return {vector_at(numbers), static_cast<double>(numbers[3])};
-}
-Cone<double> made_of(const auto* numbers, const Cone<double>*) {
-  return {vector_at(numbers), static_cast<double>(numbers[3]), vector_at(numbers + 4),
-          static_cast<double>(numbers[7])};
-}
-
+// Their numbers are those of the primitives, in the same order.
 template <class Primitive>
 std::vector<PrimitiveArray<Primitive>> arrays_of(const masu_quadrics* given, std::size_t count,
-                                                 std::size_t numbers_each, const char* place,
-                                                 HostCopies& copies) {
+                                                 const char* place, HostCopies& copies) {
+  constexpr std::size_t numbers_each = sizeof(Primitive) / sizeof(double);
   std::vector<PrimitiveArray<Primitive>> arrays;
   for_each_taken(given, count, place, [&](const masu_quadrics& one) {
     require_numbers(one.values, one.values64, one.count, place);
@@ -63,7 +58,9 @@ std::vector<PrimitiveArray<Primitive>> arrays_of(const masu_quadrics* given, std
     const auto primitives_of = [&](const auto* given_numbers) {
       const auto* const numbers = copies.of(given_numbers, numbers_each * one.count);
       array.primitive = [=](std::size_t i) {
-        return made_of(numbers + numbers_each * i, static_cast<const Primitive*>(nullptr));
+        std::array<double, numbers_each> own;
+        std::copy_n(numbers + numbers_each * i, numbers_each, own.begin());
+        return std::bit_cast<Primitive>(own);
       };
     };
     one.values != nullptr ? primitives_of(one.values) : primitives_of(one.values64);
@@ -108,33 +105,33 @@ std::unique_ptr<masu_scene> placed(const masu_geometry& given, std::span<const I
   return std::make_unique<masu_scene>(masu_scene{nullptr, std::move(scene), {}});
 }
 
-// `box`: around all of it.
-masu_scene_description described(const PlacedScene& scene, const Boxd& box) {
-  masu_scene_description described{};
-  scene.meshes->with_view([&](const auto& view) { described.triangles = view.triangle_count; });
-  scene.beside->with_view([&]<class Stored>(const SceneView<Stored>& view) {
-    described.spheres = view.sphere_count;
-    described.cones = view.cone_count;
-    described.error_bound = is_empty(box) ? 0 : rounding_margin<Stored>(box);
-  });
-  described.materials =
-      static_cast<std::uint32_t>(scene.meshes->counts().materials + scene.beside->counts().materials);
-  described.objects = scene.objects();
-  described.bytes = scene.meshes->bytes() + scene.beside->bytes();
-  return described;
-}
-masu_scene_description described(const SceneFile& file) {
-  masu_scene_description described{};
-  file.with_view_but_triangles([&](const auto& view) {
-    described.triangles = view.triangle_count;
-    described.spheres = view.sphere_count;
-    described.cones = view.cone_count;
-  });
-  described.materials = static_cast<std::uint32_t>(file.counts().materials);
-  described.objects = file.counts().objects;
-  described.error_bound = error_bound(file, Precision::automatic);
-  described.bytes = file.bytes();
-  return described;
+masu_scene_description described(const masu_scene& scene) {
+  const PlacedScene* const placed = scene.placed.get();
+  const SceneFile& file = placed != nullptr ? *placed->beside : *scene.file;
+  const Vec3d origin = file.origin();
+  const Boxd bounds = placed != nullptr ? join(placed->box(origin), file.bounds()) : file.bounds(),
+             box = in_world(origin, bounds);
+  masu_scene_description about{};
+  const auto add = [&](const SceneFile& part) {
+    part.with_view_but_triangles([&]<class Stored>(const SceneView<Stored>& view) {
+      about.triangles += view.triangle_count;
+      about.spheres += view.sphere_count;
+      about.cones += view.cone_count;
+      about.error_bound = is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds);
+    });
+    about.materials += static_cast<std::uint32_t>(part.counts().materials);
+    about.bytes += part.bytes();
+  };
+  add(file);
+  if (placed != nullptr) add(*placed->meshes);
+  about.objects = placed != nullptr ? placed->objects() : file.counts().objects;
+  for (int axis = 0; axis < 3; ++axis) {
+    about.origin[axis] = origin[axis];
+    about.bounds_min[axis] = box.min[axis];
+    about.bounds_max[axis] = box.max[axis];
+  }
+  about.is_float64 = file.is_float64() ? 1 : 0;
+  return about;
 }
 
 masu_faults faults_of(const MeshFaults& found) {
@@ -192,8 +189,8 @@ masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene)
     const auto store = choice<Store>(given.store, 3, "store");
     GoOn go_on(given.go_on, given.user);
     const ProgressMonitor progress(go_on.progress());
-    const auto spheres = arrays_of<Sphere<double>>(given.spheres, given.sphere_count, 4, "spheres", copies);
-    const auto cones = arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones", copies);
+    const auto spheres = arrays_of<Sphere<double>>(given.spheres, given.sphere_count, "spheres", copies);
+    const auto cones = arrays_of<Cone<double>>(given.cones, given.cone_count, "cones", copies);
     if (given.placement_count > 0)
       return placed(given, meshes, scene_of({}, spheres, cones), store, origin, &progress);
     const ArrayScene arrays = scene_of(meshes, spheres, cones, &progress);
@@ -228,19 +225,7 @@ void masu_scene_free(masu_scene* scene) {
 masu_status masu_scene_describe(const masu_scene* scene, masu_scene_description* description) {
   return guarded([&] {
     require(scene, "scene");
-    const PlacedScene* const placed = scene->placed.get();
-    const SceneFile& file = placed != nullptr ? *placed->beside : *scene->file;
-    const Vec3d origin = file.origin();
-    const Boxd bounds = placed != nullptr ? join(placed->box(origin), file.bounds()) : file.bounds();
-    masu_scene_description about = placed != nullptr ? described(*placed, bounds) : described(file);
-    const Boxd box = in_world(origin, bounds);
-    for (int axis = 0; axis < 3; ++axis) {
-      about.origin[axis] = origin[axis];
-      about.bounds_min[axis] = box.min[axis];
-      about.bounds_max[axis] = box.max[axis];
-    }
-    about.is_float64 = file.is_float64() ? 1 : 0;
-    give(about, description, "masu_scene_description");
+    give(described(*scene), description, "masu_scene_description");
   });
 }
 
