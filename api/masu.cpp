@@ -490,7 +490,7 @@ masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t c
     if (tracer->state()->placed() != nullptr)
       fail("tracer", "the scene has placements: winding numbers are of scenes without them");
     require_range(bound, 0, 1, "bound");
-    RayList list(places, count, place_format(wanted));
+    const RayList list(places, count, place_format(wanted));
     if (count == 0) return;
     require(places, "places");
     if (device_of(places) != host_memory) fail("places", "must lie in host memory");
@@ -504,12 +504,12 @@ masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t c
       const auto state = by_hierarchy(tracer->state(), progress);
       if (state->is_on_gpu_alone)
         fail("tracer", "was moved on a GPU: winding numbers are computed in host memory");
-      if (!list.format.is_relative) list.format.origin = state->scene->origin();
       const std::shared_ptr<const StructureFile> hierarchy = grid_of(*state);
       const auto clusters = kept(*state, state->clusters, [&] {
         return std::make_shared<const WindingClusters>(winding_clusters(*state->scene, hierarchy.get()));
       });
-      winding_numbers(*state->scene, hierarchy.get(), *clusters, list, bound, winding, inside, progress);
+      winding_numbers(*state->scene, hierarchy.get(), *clusters, relative_to(state->scene->origin(), list),
+                      bound, winding, inside, progress);
     });
   });
 }

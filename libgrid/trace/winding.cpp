@@ -113,9 +113,13 @@ template <class Stored>
 double winding_number(const SceneView<Stored>& scene, const HierarchyView<Stored>& hierarchy,
                       const WindingClusters& clusters, const Vec3d& place, double bound, bool side,
                       std::vector<UndividedCluster>& room) {
+  double value = 0;
+  for (std::uint32_t i = 0; hierarchy.nodes == nullptr && i < scene.triangle_count; ++i)
+    value += winding_of(scene.triangles[i], place);
+  if (hierarchy.nodes == nullptr) return value;
   const UndividedCluster root = seen(clusters.of_nodes[0], 0, place);
   room.assign(1, root);
-  double value = root.value;
+  value = root.value;
   std::uint64_t all = root.bound;
   const auto enough = [&] {
     const double off = static_cast<double>(all) * 0x1p-32;
@@ -141,14 +145,6 @@ double winding_number(const SceneView<Stored>& scene, const HierarchyView<Stored
   return value;
 }
 
-template <class Stored>
-double winding_number(const SceneView<Stored>& scene, const Vec3d& place) {
-  double value = 0;
-  for (std::uint32_t i = 0; i < scene.triangle_count; ++i)
-    value += winding_of(scene.triangles[i], place);
-  return value;
-}
-
 template WindingClusters winding_clusters(const SceneView<float>&, const HierarchyView<float>&, std::uint64_t,
                                           std::uint64_t);
 template WindingClusters winding_clusters(const SceneView<double>&, const HierarchyView<double>&,
@@ -157,7 +153,5 @@ template double winding_number(const SceneView<float>&, const HierarchyView<floa
                                const Vec3d&, double, bool, std::vector<UndividedCluster>&);
 template double winding_number(const SceneView<double>&, const HierarchyView<double>&, const WindingClusters&,
                                const Vec3d&, double, bool, std::vector<UndividedCluster>&);
-template double winding_number(const SceneView<float>&, const Vec3d&);
-template double winding_number(const SceneView<double>&, const Vec3d&);
 
 } // namespace masu

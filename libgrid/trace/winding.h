@@ -50,13 +50,16 @@ struct UndividedCluster {
 };
 
 // The winding number about a place, but for roundings off by at most `bound`; or, for `side`, by so much that
-// 1/2 isn't nearer. `room`: for what is undivided.
+// 1/2 isn't nearer. Without nodes all triangles are summed. `room`: for what is undivided.
 template <class Stored>
 double winding_number(const SceneView<Stored>& scene, const HierarchyView<Stored>& hierarchy,
                       const WindingClusters& clusters, const Vec3d& place, double bound, bool side,
                       std::vector<UndividedCluster>& room);
 // By all triangles.
 template <class Stored>
-double winding_number(const SceneView<Stored>& scene, const Vec3d& place);
+double winding_number(const SceneView<Stored>& scene, const Vec3d& place) {
+  std::vector<UndividedCluster> none;
+  return winding_number(scene, HierarchyView<Stored>{}, {}, place, 0, false, none);
+}
 
 } // namespace masu

@@ -13,13 +13,11 @@ namespace masu {
 namespace {
 
 void add(MeshFaults& faults, std::uint32_t corner) {
-  const auto begin = faults.first.begin(), end = begin + static_cast<std::ptrdiff_t>(faults.examples()),
-             at = std::lower_bound(begin, end, corner);
   ++faults.count;
-  if (at == faults.first.end()) return;
-  const auto last = begin + static_cast<std::ptrdiff_t>(faults.examples()) - 1;
-  std::move_backward(at, last, last + 1);
-  *at = corner;
+  std::uint32_t& last = faults.first[faults.examples() - 1];
+  if (faults.count > faults.first.size() && last <= corner) return;
+  last = corner;
+  std::sort(faults.first.data(), &last + 1);
 }
 
 // Sorts records, and calls act(first, end) for those that `same` says are equal, in their order.

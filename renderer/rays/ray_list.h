@@ -31,12 +31,15 @@ struct RayList {
   RayList(const std::vector<Ray<Real>>& list) : RayList(std::span(list)) {}
 };
 
-// Throws Error(usage) where they aren't for a scene of so many objects.
-void check_filters(const RayFilters& filters, std::uint64_t objects);
-
 // The same rays, whose origins are relative to the scene's.
 inline RayList relative(RayList rays) {
   rays.format.is_relative = true;
+  return rays;
+}
+
+// With what is to be subtracted from their origins, where that is the scene's.
+inline RayList relative_to(const Vec3d& origin, RayList rays) {
+  rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : origin;
   return rays;
 }
 
@@ -44,8 +47,8 @@ inline RayList relative(RayList rays) {
 void check_closest(const Boxd& bounds);
 
 struct RaysRequest;
-// Throws Error(usage) likewise, and for results that a query needs and doesn't have, and for hits in order
-// that aren't to be had. The request's precision is resolved.
+// Throws Error(usage) for filters that aren't for a scene of so many objects, for results that a query needs
+// and doesn't have, and for hits in order that aren't to be had. The request's precision is resolved.
 void check_query(const RayList& rays, const RayResults& results, const RaysRequest& request,
                  std::uint64_t objects);
 

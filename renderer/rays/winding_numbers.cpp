@@ -31,10 +31,8 @@ void winding_numbers(const SceneFile& scene, const StructureFile* hierarchy, con
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         const Vec3d place = place_at(places.rays, places.format, i);
         const bool is_valid = largest_magnitude(place) <= max_closest && is_finite(place);
-        const double number = !is_valid              ? NAN
-                              : hierarchy == nullptr ? winding_number(view, place)
-                                                     : winding_number(view, nodes, clusters, place, bound,
-                                                                      numbers == nullptr, room);
+        const double number =
+            is_valid ? winding_number(view, nodes, clusters, place, bound, numbers == nullptr, room) : NAN;
         if (numbers != nullptr) numbers[i] = number;
         if (inside != nullptr) inside[i] = number >= 0.5 ? 1 : 0;
         list_progress.done(i);

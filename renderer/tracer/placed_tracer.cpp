@@ -93,15 +93,10 @@ RayLoop PlacedTracer::usual_loop(bool coherent) const {
   return coherent ? RayLoop::thread_per_ray : RayLoop::automatic;
 }
 
-RayList PlacedTracer::to_local(RayList rays) const {
-  rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : scene_->origin();
-  return rays;
-}
-
 QueryReport PlacedTracer::trace(const RayList& rays, const RayResults& results,
                                 const RaysRequest& request) const {
   const RaysRequest checked = resolved(rays, results, request);
-  const RayList local = to_local(rays);
+  const RayList local = relative_to(scene_->origin(), rays);
   if (gpus_.empty()) return trace_placed_cpu(*host_, local, results, checked);
   const std::span all(files_);
   return trace_by_gpus(rays.count <= rays_per_piece(request)
@@ -113,8 +108,8 @@ QueryReport PlacedTracer::trace(const RayList& rays, const RayResults& results,
 QueryReport PlacedTracer::trace_on_device(const RayList& rays, const RayResults& results,
                                           const RaysRequest& request, void* stream, int gpu) const {
   const auto index = static_cast<std::size_t>(std::ranges::find(gpus_, gpu) - gpus_.begin());
-  return launch_rays_cuda(*files_.at(index), to_local(rays), results, resolved(rays, results, request),
-                          stream);
+  return launch_rays_cuda(*files_.at(index), relative_to(scene_->origin(), rays), results,
+                          resolved(rays, results, request), stream);
 }
 
 } // namespace masu

@@ -45,7 +45,6 @@ public:
                               void* stream, int gpu) const;
 
 private:
-  RayList to_local(RayList rays) const;
   RaysRequest resolved(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
 
   std::shared_ptr<const PlacedScene> scene_;

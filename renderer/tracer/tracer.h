@@ -117,8 +117,6 @@ private:
   TracingRules resolved(TracingRules rules) const;
   // Of a list: checked, its rules resolved, and counted where costs are wanted.
   RaysRequest resolved(const RaysRequest& request, const RayList& rays, const RayResults& results) const;
-  // With what is to be subtracted from their origins.
-  RayList to_local(RayList rays) const;
   std::size_t next_device() const;
 };
 

@@ -13,6 +13,10 @@
 namespace masu {
 namespace {
 
+[[noreturn]] void fail(const char* place, const std::string& what) {
+  throw Error(ErrorCode::usage, place, what);
+}
+
 // Rounded to the arithmetic's numbers, in memory of the device.
 template <class Real>
 ResidentRays resident_rays(std::span<const Ray<double>> rays, const std::vector<int>& gpus) {
@@ -39,22 +43,19 @@ ResidentRays resident_rays(std::span<const Ray<double>> rays, const std::vector<
 }
 
 void check_results(const RayList& rays, const RayResults& results, Query query) {
-  const auto fail = [](const char* what) { throw Error(ErrorCode::usage, "rays", what); };
   if (rays.count == 0) return;
-  if (rays.rays == nullptr) fail("are missing: the pointer is null");
+  if (rays.rays == nullptr) fail("rays", "are missing: the pointer is null");
   const std::size_t number = rays.format.is_float64 ? sizeof(double) : sizeof(float);
   if (reinterpret_cast<std::uintptr_t>(rays.rays) % number != 0)
-    fail("aren't aligned as their numbers must be");
+    fail("rays", "aren't aligned as their numbers must be");
   const bool are_places = query == Query::closest_point && rays.format.numbers == 3;
-  if (!are_places && rays.format.numbers != 6 && rays.format.numbers != 8) fail("have 6 or 8 numbers each");
+  if (!are_places && rays.format.numbers != 6 && rays.format.numbers != 8)
+    fail("rays", "have 6 or 8 numbers each");
   if (query == Query::occlusion && results.occluded == nullptr)
-    fail("have no array for whether they are occluded");
+    fail("rays", "have no array for whether they are occluded");
 }
 
 void check_hits_in_order(const RaysRequest& request, const RayResults& results) {
-  const auto fail = [](const char* place, const std::string& what) {
-    throw Error(ErrorCode::usage, place, what);
-  };
   if (request.query == Query::all_hits && (request.limit < 1 || request.limit > max_hits_per_ray))
     fail("limit", fmt::format("{} hits per ray aren't from 1 to {}", request.limit, max_hits_per_ray));
   if (request.tracing.precision == Precision::fast)
@@ -65,12 +66,7 @@ void check_hits_in_order(const RaysRequest& request, const RayResults& results) 
     fail("rays", "can't be counted where their hits are found in order");
 }
 
-} // namespace
-
 void check_filters(const RayFilters& filters, std::uint64_t objects) {
-  const auto fail = [](const char* place, const std::string& what) {
-    throw Error(ErrorCode::usage, place, what);
-  };
   if (filters.object_masks == nullptr) {
     if (filters.ray_masks != nullptr) fail("ray_masks", "have no effect without those of objects: give both");
   } else if (filters.object_count != objects) {
@@ -79,9 +75,11 @@ void check_filters(const RayFilters& filters, std::uint64_t objects) {
   }
 }
 
+} // namespace
+
 void check_closest(const Boxd& bounds) {
   if (!is_empty(bounds) && largest_magnitude(bounds) > max_closest)
-    throw Error(ErrorCode::usage, "scene", "has coordinates beyond 1e37, too large for distances");
+    fail("scene", "has coordinates beyond 1e37, too large for distances");
 }
 
 void check_query(const RayList& rays, const RayResults& results, const RaysRequest& request,
@@ -115,50 +113,46 @@ RaysRequest ResidentTracer::resolved(const RaysRequest& request, const RayList& 
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   check_query(rays, results, resolved_request, scene_.counts().objects);
-  if (rays.placed_filters.any())
-    throw Error(ErrorCode::usage, "rays", "have worlds or excluded objects: the scene has no placements");
+  if (rays.placed_filters.any()) fail("rays", "have worlds or excluded objects: the scene has no placements");
   if (request.query == Query::closest_point) {
     if (structure_ != nullptr && !structure_->is_hierarchy())
-      throw Error(ErrorCode::usage, "structure", "is a grid: closest points are found through a hierarchy");
+      fail("structure", "is a grid: closest points are found through a hierarchy");
     check_closest(scene_.bounds());
   }
   if (results.costs.wanted()) resolved_request.tracing.count = true;
   return resolved_request;
 }
 
-RayList ResidentTracer::to_local(RayList rays) const {
-  rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : scene_.origin();
-  return rays;
-}
-
 QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
                                   std::size_t index) const {
   const RaysRequest resolved_request = resolved(request, rays, results);
   if (device_ == Device::cpu) {
-    const QueryReport report = trace_rays_cpu(scene_, structure_, to_local(rays), results, resolved_request);
+    const QueryReport report =
+        trace_rays_cpu(scene_, structure_, relative_to(scene_.origin(), rays), results, resolved_request);
     check_unchanged();
     return report;
   }
   std::atomic<std::size_t> next_piece = 0;
-  return trace_rays_cuda(*files_.at(index), to_local(rays), results, resolved_request, next_piece);
+  return trace_rays_cuda(*files_.at(index), relative_to(scene_.origin(), rays), results, resolved_request,
+                         next_piece);
 }
 
 QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results,
                                   const RaysRequest& request) const {
   if (device_count() == 1 || rays.count <= rays_per_piece(request))
     return trace(rays, results, request, next_device());
-  return trace_by_gpus(files_, to_local(rays), results, resolved(request, rays, results));
+  return trace_by_gpus(files_, relative_to(scene_.origin(), rays), results, resolved(request, rays, results));
 }
 
 QueryReport ResidentTracer::trace_on_device(const RayList& rays, const RayResults& results,
                                             const RaysRequest& request, void* stream, int gpu) const {
   if (device_ == Device::cpu) return trace(rays, results, request);
   const auto index = static_cast<std::size_t>(std::ranges::find(gpus_, gpu) - gpus_.begin());
-  if (index == gpus_.size()) throw Error(ErrorCode::usage, "rays", "aren't in memory of the tracer's GPUs");
+  if (index == gpus_.size()) fail("rays", "aren't in memory of the tracer's GPUs");
   const RaysRequest resolved_request = resolved(request, rays, results);
-  if (resolved_request.tracing.count)
-    throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
-  return launch_rays_cuda(*files_[index], to_local(rays), results, resolved_request, stream);
+  if (resolved_request.tracing.count) fail("rays", "in device memory can't be counted");
+  return launch_rays_cuda(*files_[index], relative_to(scene_.origin(), rays), results, resolved_request,
+                          stream);
 }
 
 RayHits ResidentTracer::hits(const RayList& rays, const RaysRequest& request, HitName name) const {
