@@ -64,6 +64,14 @@ def real_numbers(name: str, array: Any) -> Any:
     return array
 
 
+def float32(array: Any) -> Any:
+    """The same numbers, rounded, as an array of the same library in the same memory."""
+    arrays, array = recognize("results", array, None)
+    rounded = arrays.empty(tuple(array.shape), "float32", array)
+    rounded[...] = array
+    return rounded
+
+
 def check_shape(name: str, array: Any, is_right: bool, needed: Any) -> None:
     """Of any library's array, or of an object with a shape."""
     if not is_right:

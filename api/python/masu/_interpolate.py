@@ -39,11 +39,7 @@ def interpolate(hits: Mapping[str, Any], values: Any, faces: Any = None, *, stre
     with arrays.queue(ids, stream) as record.stream:
         def floats(name: str, array: Any) -> Any:
             packed = arrays.packed(array, name)
-            if not arrays.is_float64(packed):
-                return packed
-            rounded = arrays.empty(tuple(packed.shape), "float32", packed)
-            rounded[...] = packed
-            return rounded
+            return _arrays.float32(packed) if arrays.is_float64(packed) else packed
 
         values, ids = floats("values", values), arrays.packed_int32(ids, "primitive_ids")
         faces = None if faces is None else arrays.packed_int32(faces, "faces")

@@ -101,7 +101,7 @@ class RaycastingScene:
         """The distance of each point (..., 3) to the meshes. Points on the tracer's GPU are those of PyTorch or CuPy there,
         and so are the results, as for compute_signed_distance() and compute_occupancy()."""
         found = self.tracer.closest(self._query_points(query_points), fields="distances", threads=nthreads or self._nthreads)
-        return _float32(found["distances"])
+        return _arrays.float32(found["distances"])
 
     def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Any:
         """The same, negative where compute_occupancy() is 1."""
@@ -112,7 +112,8 @@ class RaycastingScene:
         """1 for points (..., 3) inside the meshes, else 0: float32. Inside is where most of nsamples rays in fixed
         directions, an odd number, cross the meshes an odd number of times. Crossings are counted exactly: of closed meshes
         one ray tells what more do."""
-        return _float32(crosses_oddly(self.tracer, self._query_points(query_points), nthreads or self._nthreads, nsamples))
+        return _arrays.float32(
+            crosses_oddly(self.tracer, self._query_points(query_points), nthreads or self._nthreads, nsamples))
 
     def _query_points(self, points: Any) -> Any:
         """NumPy's, or where they lie if the tracer is there."""
@@ -191,13 +192,6 @@ def _directions(count: int) -> Iterator[Tuple[float, float, float]]:
         x = 1 - 2 * i / count
         angle, across = i * math.pi * (3 - math.sqrt(5)), math.sqrt(1 - x * x)
         yield x, across * math.cos(angle), across * math.sin(angle)
-
-
-def _float32(array: Any) -> Any:
-    arrays, array = _arrays.recognize("results", array, None)
-    rounded = arrays.empty(tuple(array.shape), "float32", array)
-    rounded[...] = array
-    return rounded
 
 
 def _device(device: Any) -> Any:

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import warnings
 from ctypes import byref, c_double, c_float
-from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _arrays, _mesh_objects
 from ._library import (EVERY_WORLD, KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, FaultsRecord,
@@ -116,9 +116,11 @@ def _faults(record: FaultsRecord, of_edges: bool) -> Faults:
     return Faults(record.count, places if of_edges else [primitive for primitive, _ in places])
 
 
-def _vector(numbers: Any) -> Vector:
-    x, y, z = numbers
-    return x, y, z
+def _told(function: Callable[..., int], *arguments: Any, record: ctypes.Structure) -> Dict[str, Any]:
+    """What the function says in a record: numbers by name, and tuples for its arrays."""
+    call(function, *arguments, byref(sized(record)))
+    told = {name: getattr(record, name) for name, *_ in record._fields_ if name not in ("size", "reserved")}
+    return {name: tuple(value) if isinstance(value, ctypes.Array) else value for name, value in told.items()}
 
 
 # --- Arrays -------------------------------------------------------------------------------------------------------
@@ -298,11 +300,9 @@ class Scene(Resource):
 
     def describe(self) -> Description:
         """Counts, bounds and sizes."""
-        record = sized(SceneDescriptionRecord())
-        call(library.masu_scene_describe, self, byref(record))
-        return Description(record.triangles, record.spheres, record.cones, record.materials, record.objects,
-                           _vector(record.bounds_min), _vector(record.bounds_max), _vector(record.origin), record.error_bound,
-                           record.bytes, bool(record.is_float64))
+        told = _told(library.masu_scene_describe, self, record=SceneDescriptionRecord())
+        told["is_float64"] = bool(told["is_float64"])
+        return Description(**told)
 
     def primitive(self, index: int) -> Primitive:
         """The primitive of an index as `primitive_ids` has it; an IndexError where there is none."""
@@ -310,10 +310,9 @@ class Scene(Resource):
         count = sum(self.describe()[:3])
         if not 0 <= index < count:
             raise IndexError("primitive {}: there are {}".format(index, count))
-        record = sized(PrimitiveRecord())
-        call(library.masu_scene_primitive, self, index, byref(record))
-        return Primitive(KINDS[record.kind], record.object, record.material, record.face, _vector(record.color),
-                         record.diffuse, record.specular, record.shine, record.transmittance, record.refraction_index)
+        told = _told(library.masu_scene_primitive, self, index, record=PrimitiveRecord())
+        told["kind"] = KINDS[told["kind"]]
+        return Primitive(**told)
 
     def check(self) -> MeshCheck:
         """What is wrong with the triangles as a mesh: edges where it is open, turned or branches, faces without area or there
@@ -450,11 +449,9 @@ class Grid(Resource):
 
     def describe(self) -> GridDescription:
         """Structure and sizes."""
-        record = sized(GridDescriptionRecord())
-        call(library.masu_grid_describe, self, byref(record))
-        x, y, z = record.division
-        return GridDescription(list(STRUCTURES)[record.structure], list(MERGES)[record.merge], (x, y, z), record.cells,
-                               record.nodes, record.references, record.bytes)
+        told = _told(library.masu_grid_describe, self, record=GridDescriptionRecord())
+        told["structure"], told["merge"] = list(STRUCTURES)[told["structure"]], list(MERGES)[told["merge"]]
+        return GridDescription(**told)
 
     def __repr__(self) -> str:
         if self._handle is None:
