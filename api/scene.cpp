@@ -145,25 +145,21 @@ masu_faults faults_of(const MeshFaults& found) {
   return faults;
 }
 
-template <class Stored, class Number>
-SceneFile moved_scene(const SceneFile& scene, const SceneView<Stored>& view, const Number* numbers,
-                      const Vertices& vertices) {
-  HostCopies copies;
-  TbbExecutor executor;
-  const std::uint32_t* const indices = vertices.indices.empty() ? nullptr : vertices.indices.data();
-  const WorldVertices<Number> in_host{copies.of(numbers, 3 * vertices.count), indices, scene.origin()};
-  const auto moved = moved_triangles(executor, view, in_host, nullptr, 0, max_hierarchy_reach);
-  return scene.with_triangles(std::span<const Triangle<Stored>>(moved.triangles), moved.bounds);
-}
-
 } // namespace
 
 namespace masu {
 
 SceneFile moved_scene(const SceneFile& scene, const Vertices& vertices) {
-  return scene.with_view([&](const auto& view) {
-    return vertices.floats != nullptr ? ::moved_scene(scene, view, vertices.floats, vertices)
-                                      : ::moved_scene(scene, view, vertices.doubles, vertices);
+  const std::uint32_t* const indices = vertices.indices.empty() ? nullptr : vertices.indices.data();
+  return scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    const auto moved_by = [&]<class Number>(const Number* numbers) {
+      HostCopies copies;
+      TbbExecutor executor;
+      const WorldVertices<Number> in_host{copies.of(numbers, 3 * vertices.count), indices, scene.origin()};
+      const auto moved = moved_triangles(executor, view, in_host, nullptr, 0, max_hierarchy_reach);
+      return scene.with_triangles(std::span<const Triangle<Stored>>(moved.triangles), moved.bounds);
+    };
+    return vertices.floats != nullptr ? moved_by(vertices.floats) : moved_by(vertices.doubles);
   });
 }
 

@@ -67,6 +67,18 @@ void add_mesh(std::span<const Triangle<Stored>> triangles, HierarchyQuality qual
   to.meshes.push_back(mesh);
 }
 
+template <class Stored>
+PlacedOnHost<Stored> made_ready(std::shared_ptr<const PlacedScene> scene,
+                                std::shared_ptr<const PlaceableMeshes<Stored>> meshes,
+                                std::vector<Transform> transforms, bool is_brute_force) {
+  TbbExecutor executor;
+  auto arrays = placed(executor,
+                       parts_of(*scene, *meshes, scene->beside->view<Stored>(), is_brute_force,
+                                [](const auto& array) { return array.data(); }),
+                       transforms.data());
+  return {std::move(scene), std::move(meshes), std::move(transforms), std::move(arrays)};
+}
+
 } // namespace
 
 Boxd PlacedScene::box(const Vec3d& point) const {
@@ -110,31 +122,22 @@ std::vector<std::uint32_t> placed_triangles(const PlacedScene& scene, std::uint6
   return first;
 }
 
-template <class Stored>
-PlaceableMeshes<Stored> placeable_meshes(const PlacedScene& scene, const SceneView<Stored>& view,
-                                         HierarchyQuality quality, ProgressMonitor* progress) {
-  PlaceableMeshes<Stored> meshes;
-  for (std::size_t i = 0; i + 1 < scene.mesh_triangles.size(); ++i)
-    add_mesh(triangles_of(scene, view, i), quality, progress, meshes);
-  return meshes;
+AnyPlacedOnHost placed_on_host(const std::shared_ptr<const PlacedScene>& scene, HierarchyQuality quality,
+                               bool is_brute_force, ProgressMonitor* progress) {
+  return scene->meshes->with_view([&]<class Stored>(const SceneView<Stored>& view) -> AnyPlacedOnHost {
+    PlaceableMeshes<Stored> meshes;
+    for (std::size_t i = 0; i + 1 < scene->mesh_triangles.size(); ++i)
+      add_mesh(triangles_of(*scene, view, i), quality, progress, meshes);
+    return made_ready<Stored>(scene, std::make_shared<const PlaceableMeshes<Stored>>(std::move(meshes)),
+                              scene->transforms, is_brute_force);
+  });
 }
-template PlaceableMeshes<float> placeable_meshes(const PlacedScene&, const SceneView<float>&,
-                                                 HierarchyQuality, ProgressMonitor*);
-template PlaceableMeshes<double> placeable_meshes(const PlacedScene&, const SceneView<double>&,
-                                                  HierarchyQuality, ProgressMonitor*);
-
-template <class Stored>
-PlacedOnHost<Stored>::PlacedOnHost(std::shared_ptr<const PlacedScene> scene_,
-                                   std::shared_ptr<const PlaceableMeshes<Stored>> meshes_,
-                                   std::vector<Transform> transforms_, bool is_brute_force)
-    : scene(std::move(scene_)), meshes(std::move(meshes_)), transforms(std::move(transforms_)), arrays([&] {
-        TbbExecutor executor;
-        const auto parts = parts_of(*scene, *meshes, scene->beside->view<Stored>(), is_brute_force,
-                                    [](const auto& array) { return array.data(); });
-        return placed(executor, parts, transforms.data());
-      }()) {}
-
-template struct PlacedOnHost<float>;
-template struct PlacedOnHost<double>;
+AnyPlacedOnHost moved(const AnyPlacedOnHost& before, std::vector<Transform> transforms) {
+  return std::visit(
+      [&](const auto& host) -> AnyPlacedOnHost {
+        return made_ready(host.scene, host.meshes, std::move(transforms), host.arrays.parts.is_brute_force);
+      },
+      before);
+}
 
 } // namespace masu

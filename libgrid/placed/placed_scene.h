@@ -46,11 +46,6 @@ struct PlaceableMeshes {
   std::vector<PlacedMesh<Stored>> meshes{};
 };
 
-// Their hierarchies are built on the CPU. `view`: of the scene's meshes. Throws as build_hierarchy() does.
-template <class Stored>
-PlaceableMeshes<Stored> placeable_meshes(const PlacedScene& scene, const SceneView<Stored>& view,
-                                         HierarchyQuality quality, ProgressMonitor* progress);
-
 // Of a scene with its `beside` as it is seen, where array(one of the host's) says that an array lies.
 template <class Stored, class ArrayAt>
 PlacedParts<Stored> parts_of(const PlacedScene& scene, const PlaceableMeshes<Stored>& meshes,
@@ -77,12 +72,13 @@ struct PlacedOnHost {
   std::shared_ptr<const PlaceableMeshes<Stored>> meshes;
   std::vector<Transform> transforms;
   PlacedArrays<TbbExecutor, Stored> arrays;
-
-  // Throws as placed() does.
-  PlacedOnHost(std::shared_ptr<const PlacedScene> scene,
-               std::shared_ptr<const PlaceableMeshes<Stored>> meshes, std::vector<Transform> transforms,
-               bool is_brute_force);
 };
 using AnyPlacedOnHost = std::variant<PlacedOnHost<float>, PlacedOnHost<double>>;
+
+// At first, when meshes' hierarchies are built, on the CPU; and by other transforms. Throw as
+// build_hierarchy() and placed() do.
+AnyPlacedOnHost placed_on_host(const std::shared_ptr<const PlacedScene>& scene, HierarchyQuality quality,
+                               bool is_brute_force, ProgressMonitor* progress);
+AnyPlacedOnHost moved(const AnyPlacedOnHost& before, std::vector<Transform> transforms);
 
 } // namespace masu

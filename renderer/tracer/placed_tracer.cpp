@@ -42,12 +42,7 @@ PlacedTracer::PlacedTracer(std::shared_ptr<const PlacedScene> scene, HierarchyQu
     : scene_(std::move(scene)), gpus_(std::move(gpus)), files_(gpus_.size()),
       turn_(std::make_shared<std::atomic<std::size_t>>(0)) {
   ProgressMonitor monitor(progress);
-  host_ = scene_->meshes->with_view([&]<class Stored>(const SceneView<Stored>& view) {
-    auto meshes =
-        std::make_shared<const PlaceableMeshes<Stored>>(placeable_meshes(*scene_, view, quality, &monitor));
-    return std::make_shared<const AnyPlacedOnHost>(
-        PlacedOnHost<Stored>(scene_, std::move(meshes), scene_->transforms, is_brute_force));
-  });
+  host_ = std::make_shared<const AnyPlacedOnHost>(placed_on_host(scene_, quality, is_brute_force, &monitor));
   on_threads(gpus_.size(), [&](std::size_t i) {
     set_up_cuda(gpus_[i]);
     files_[i] = upload_placed_cuda(*host_, gpus_[i]);
@@ -59,14 +54,11 @@ PlacedTracer PlacedTracer::moved(const PlacementMoves& moves) const {
     fail("placements", fmt::format("are {}, the scene has {}", moves.count, scene_->count()));
   PlacedTracer tracer = *this;
   on_threads(files_.size(), [&](std::size_t i) { tracer.files_[i] = placed_files_cuda(*files_[i], moves); });
-  const auto on_host = [&]<class Host>(const Host& host) {
-    std::vector<Transform> transforms = host.transforms;
-    moves.floats != nullptr ? replace(transforms, moves, moves.floats)
-                            : replace(transforms, moves, moves.doubles);
-    tracer.host_ = std::make_shared<const AnyPlacedOnHost>(
-        Host(host.scene, host.meshes, std::move(transforms), host.arrays.parts.is_brute_force));
-  };
-  if (gpus_.empty()) std::visit(on_host, *host_);
+  if (!gpus_.empty()) return tracer;
+  auto transforms = std::visit([](const auto& host) { return host.transforms; }, *host_);
+  moves.floats != nullptr ? replace(transforms, moves, moves.floats)
+                          : replace(transforms, moves, moves.doubles);
+  tracer.host_ = std::make_shared<const AnyPlacedOnHost>(masu::moved(*host_, std::move(transforms)));
   return tracer;
 }
 
