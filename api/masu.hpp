@@ -41,11 +41,11 @@ inline int gpu_count() {
   return count;
 }
 
-// What make(pointer to a handle) of C made.
-template <class Object, class Make>
-Object* made(const Make& make) {
+// What a function of C made of what it is given.
+template <class Object, class Make, class... Given>
+Object* made(Make* make, Given... given) {
   Object* object = nullptr;
-  check(make(&object));
+  check(make(given..., &object));
   return object;
 }
 
@@ -55,6 +55,14 @@ Struct sized() {
   Struct made{};
   made.size = sizeof made;
   return made;
+}
+
+// One that a function of C filled in.
+template <class Struct, class Fill, class... Given>
+Struct filled(Fill* fill, Given... given) {
+  auto to = sized<Struct>();
+  check(fill(given..., &to));
+  return to;
 }
 
 // --- Scenes and grids
@@ -90,9 +98,7 @@ masu_mesh mesh(const V& vertices, const Indices& indices) {
 }
 
 inline masu_build_options default_build_options() {
-  auto options = sized<masu_build_options>();
-  check(masu_default_build_options(&options));
-  return options;
+  return filled<masu_build_options>(masu_default_build_options);
 }
 
 // Where a scene's vertices are now; refers to the array.
@@ -119,33 +125,24 @@ inline masu_placement placement(std::uint32_t mesh, const std::array<double, 12>
 
 class Scene {
 public:
-  explicit Scene(const masu_geometry& geometry)
-      : Scene(made<masu_scene>([&](masu_scene** scene) { return masu_scene_create(&geometry, scene); })) {}
+  explicit Scene(const masu_geometry& geometry) : Scene(made<masu_scene>(masu_scene_create, &geometry)) {}
   explicit Scene(std::span<const masu_mesh> meshes, std::span<const masu_placement> placements = {})
       : Scene(geometry_of(meshes, placements)) {}
   template <Vertices V, NumbersOf<std::uint32_t> Indices>
   Scene(const V& vertices, const Indices& indices) : Scene(std::array{mesh(vertices, indices)}) {}
   static Scene read(const std::string& path) {
-    return Scene(made<masu_scene>([&](masu_scene** scene) { return masu_scene_read(path.c_str(), scene); }));
+    return Scene(made<masu_scene>(masu_scene_read, path.c_str()));
   }
 
   void write(const std::string& path) const { masu::check(masu_scene_write(get(), path.c_str())); }
   masu_scene_description describe() const {
-    auto description = sized<masu_scene_description>();
-    masu::check(masu_scene_describe(get(), &description));
-    return description;
+    return filled<masu_scene_description>(masu_scene_describe, get());
   }
   masu_primitive primitive(std::uint32_t index) const {
-    auto primitive = sized<masu_primitive>();
-    masu::check(masu_scene_primitive(get(), index, &primitive));
-    return primitive;
+    return filled<masu_primitive>(masu_scene_primitive, get(), index);
   }
   // What is wrong with its triangles as a mesh (masu_scene_check).
-  masu_mesh_check check() const {
-    auto found = sized<masu_mesh_check>();
-    masu::check(masu_scene_check(get(), &found));
-    return found;
-  }
+  masu_mesh_check check() const { return filled<masu_mesh_check>(masu_scene_check, get()); }
 
   masu_scene* get() const { return handle_.get(); }
 
@@ -168,25 +165,16 @@ class Grid {
 public:
   // Builds it.
   explicit Grid(const Scene& scene, const masu_build_options& options = default_build_options())
-      : Grid(
-            made<masu_grid>([&](masu_grid** grid) { return masu_grid_build(scene.get(), &options, grid); })) {
-  }
-  static Grid read(const std::string& path) {
-    return Grid(made<masu_grid>([&](masu_grid** grid) { return masu_grid_read(path.c_str(), grid); }));
-  }
+      : Grid(made<masu_grid>(masu_grid_build, scene.get(), &options)) {}
+  static Grid read(const std::string& path) { return Grid(made<masu_grid>(masu_grid_read, path.c_str())); }
 
   // Of a scene whose primitives have moved (masu_grid_refit).
   Grid refitted(const Scene& scene) const {
-    return Grid(
-        made<masu_grid>([&](masu_grid** refitted) { return masu_grid_refit(get(), scene.get(), refitted); }));
+    return Grid(made<masu_grid>(masu_grid_refit, get(), scene.get()));
   }
 
   void write(const std::string& path) const { check(masu_grid_write(get(), path.c_str())); }
-  masu_grid_description describe() const {
-    auto description = sized<masu_grid_description>();
-    check(masu_grid_describe(get(), &description));
-    return description;
-  }
+  masu_grid_description describe() const { return filled<masu_grid_description>(masu_grid_describe, get()); }
 
   masu_grid* get() const { return handle_.get(); }
 
@@ -267,46 +255,38 @@ public:
     options.gpus = gpus.data();
     options.gpu_count = gpus.size();
     options.brute_force = brute_force ? 1 : 0;
-    handle_.reset(made<masu_tracer>([&](masu_tracer** tracer) {
-      return masu_tracer_create(scene.get(), grid != nullptr ? grid->get() : nullptr, &options, tracer);
-    }));
+    handle_.reset(made<masu_tracer>(masu_tracer_create, scene.get(), grid != nullptr ? grid->get() : nullptr,
+                                    &options));
   }
 
   // What it traces through (masu_tracer_grid).
-  Grid grid() const {
-    return Grid(made<masu_grid>([&](masu_grid** grid) { return masu_tracer_grid(handle_.get(), grid); }));
-  }
+  Grid grid() const { return Grid(made<masu_grid>(masu_tracer_grid, handle_.get())); }
 
   // In host memory, or all in memory of one of the tracer's GPUs.
   template <Ray R>
   void nearest(const R* rays, std::size_t count, const masu_hits& hits,
                const QueryOptions& options = {}) const {
-    const masu_query query = query_of<R>(options);
-    check(masu_nearest(handle_.get(), rays, count, &query, &hits));
+    ask<R>(masu_nearest, rays, count, options, &hits);
   }
   template <Ray R>
   void occluded(const R* rays, std::size_t count, std::uint8_t* occluded,
                 const QueryOptions& options = {}) const {
-    const masu_query query = query_of<R>(options);
-    check(masu_occluded(handle_.get(), rays, count, &query, occluded));
+    ask<R>(masu_occluded, rays, count, options, occluded);
   }
   template <Ray R>
   void all_hits(const R* rays, std::size_t count, std::uint32_t limit, const masu_hits& hits,
                 std::uint32_t* counts, const QueryOptions& options = {}) const {
-    const masu_query query = query_of<R>(options);
-    check(masu_all_hits(handle_.get(), rays, count, &query, limit, &hits, counts));
+    ask<R>(masu_all_hits, rays, count, options, limit, &hits, counts);
   }
   template <Ray R>
   void count_hits(const R* rays, std::size_t count, std::uint32_t* counts,
                   const QueryOptions& options = {}) const {
-    const masu_query query = query_of<R>(options);
-    check(masu_count_hits(handle_.get(), rays, count, &query, counts));
+    ask<R>(masu_count_hits, rays, count, options, counts);
   }
   template <Ray R>
   void inside(const R* rays, std::size_t count, std::uint8_t* inside,
               const QueryOptions& options = {}) const {
-    const masu_query query = query_of<R>(options);
-    check(masu_inside(handle_.get(), rays, count, &query, inside));
+    ask<R>(masu_inside, rays, count, options, inside);
   }
 
   // In host memory.
@@ -356,9 +336,8 @@ public:
   requires std::same_as<Number, float> || std::same_as<Number, double>
   void closest(const std::array<Number, 3>* places, std::size_t count, const masu_hits& hits, double* points,
                const QueryOptions& options = {}) const {
-    const masu_query query =
-        query_of<std::conditional_t<std::same_as<Number, float>, masu_ray, masu_ray64>>(options);
-    check(masu_closest(handle_.get(), places, count, &query, &hits, points));
+    ask<std::conditional_t<std::same_as<Number, float>, masu_ray, masu_ray64>>(masu_closest, places, count,
+                                                                               options, &hits, points);
   }
   template <std::ranges::contiguous_range Places>
   ClosestPoints closest(const Places& places, const QueryOptions& options = {}) const {
@@ -378,11 +357,9 @@ public:
   std::vector<double> winding(const Places& places, double bound = 1e-3,
                               const QueryOptions& options = {}) const {
     using Number = std::ranges::range_value_t<std::ranges::range_value_t<Places>>;
-    const masu_query query =
-        query_of<std::conditional_t<std::same_as<Number, float>, masu_ray, masu_ray64>>(options);
     std::vector<double> found(std::ranges::size(places));
-    check(masu_winding(handle_.get(), std::ranges::data(places), found.size(), &query, bound, found.data(),
-                       nullptr));
+    ask<std::conditional_t<std::same_as<Number, float>, masu_ray, masu_ray64>>(
+        masu_winding, std::ranges::data(places), found.size(), options, bound, found.data(), nullptr);
     return found;
   }
 
@@ -416,8 +393,10 @@ private:
   static std::span<const int> gpus_of(const int& device) {
     return {&device, device == MASU_CPU ? std::size_t{0} : std::size_t{1}};
   }
-  template <Ray R>
-  static masu_query query_of(const QueryOptions& options) {
+  // Asks a function of C, of rays in that format; `last`: what is its own.
+  template <Ray R, class Function, class... Last>
+  void ask(Function* function, const void* rays, std::size_t count, const QueryOptions& options,
+           Last... last) const {
     auto query = sized<masu_query>();
     query.format = format_of<R>();
     query.precision = options.precision;
@@ -435,7 +414,7 @@ private:
     query.user = options.user;
     query.exclude_objects = options.exclude_objects;
     query.worlds = options.worlds;
-    return query;
+    check(function(handle_.get(), rays, count, &query, last...));
   }
 
   Handle<masu_tracer, masu_tracer_free> handle_;

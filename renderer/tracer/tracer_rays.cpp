@@ -92,6 +92,7 @@ void check_query(const RayList& rays, const RayResults& results, const RaysReque
 QueryReport trace_by_gpus(std::span<const std::shared_ptr<const DeviceFiles>> files, const RayList& rays,
                           const RayResults& results, const RaysRequest& request) {
   std::atomic<std::size_t> next_piece = 0;
+  if (files.size() == 1) return trace_rays_cuda(*files.front(), rays, results, request, next_piece);
   std::mutex mutex;
   QueryReport all;
   const auto trace_pieces = [&](std::size_t index) {
@@ -132,9 +133,7 @@ QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results
     check_unchanged();
     return report;
   }
-  std::atomic<std::size_t> next_piece = 0;
-  return trace_rays_cuda(*files_.at(index), relative_to(scene_.origin(), rays), results, resolved_request,
-                         next_piece);
+  return trace_by_gpus({&files_.at(index), 1}, relative_to(scene_.origin(), rays), results, resolved_request);
 }
 
 QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results,
