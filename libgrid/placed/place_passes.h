@@ -43,7 +43,7 @@ struct PlacedParts {
   bool is_brute_force;
 };
 
-// What does: the result.
+// What does, beside that: the result.
 template <class Executor, class Stored>
 struct PlacedArrays {
   PlacedParts<Stored> parts;
