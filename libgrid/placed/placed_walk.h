@@ -94,11 +94,6 @@ struct PlacedWalk {
 private:
   static constexpr std::uint32_t no_node = HierarchyWalk<Real>::no_node;
 
-  // On the stack below all that is of a placement's mesh.
-  MASU_HD static HierarchyGroup mark() {
-    return {none, 0};
-  }
-
   // Enters a placement, or shows the visitor what stands beside them.
   template <class Stored, class Visitor>
   MASU_HD void visit_item(const PlacedRay<Stored>& seen, const HierarchyNode& node, HierarchyStack& stack,
@@ -110,7 +105,7 @@ private:
       if (item >= placed.count) return visitor.primitive(placed.triangle_count() + (item - placed.count));
     const auto own = placed.entrance(node);
     if (!seen.sees(item, own)) return;
-    push(stack, walk.height, mark());
+    push(stack, walk.height, {none, 0}); // a mark below all that is of its mesh
     placement = item;
     origin = carried_point(own, visitor.ray.origin);
     invert(carried(own, visitor.ray.direction));
