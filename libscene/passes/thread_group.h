@@ -1,5 +1,5 @@
 // Groups of threads that share a work item, after CUDA's cooperative groups: a single thread on the host; on
-// the device a warp tile or a thread block (cuda_executor.h), with the same members.
+// the device a warp tile or a thread block (cuda_groups.h), with the same members.
 #pragma once
 
 #include "libscene/geometry/box.h"

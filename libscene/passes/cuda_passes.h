@@ -1,0 +1,159 @@
+// The kernels of passes on a CUDA device (cuda_executor.h). CUDA sources only.
+#pragma once
+
+#include "libscene/passes/cuda_groups.h"
+
+#include <cub/block/block_radix_sort.cuh>
+#include <cub/block/block_scan.cuh>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace masu::kernels {
+
+inline constexpr unsigned threads = 256;
+
+// What another block has written during this kernel, which the L1 may not know.
+template <class Part>
+__device__ Part read_past_l1(const Part* from) {
+  struct Words {
+    std::uint32_t word[sizeof(Part) / sizeof(std::uint32_t)];
+  } words;
+  for (unsigned k = 0; k < sizeof(Part) / sizeof(std::uint32_t); ++k)
+    words.word[k] = __ldcg(reinterpret_cast<const std::uint32_t*>(from) + k);
+  return std::bit_cast<Part>(words);
+}
+
+// Each block joins its share; the last to come joins what they have left.
+template <class Part, class Act>
+__global__ void __launch_bounds__(threads)
+    join_all(std::uint64_t count, const __grid_constant__ Act act, Part* parts, std::uint32_t* arrivals) {
+  __shared__ bool is_last;
+  Part own{};
+  for (std::uint64_t i = std::uint64_t{blockIdx.x} * threads + threadIdx.x; i < count;
+       i += std::uint64_t{gridDim.x} * threads)
+    own = join(own, act(i));
+  own = joined_by(ThreadBlock{}, own);
+  if (threadIdx.x == 0) {
+    parts[1 + blockIdx.x] = own;
+    is_last = arrived(*arrivals) == gridDim.x - 1;
+    if (is_last) *arrivals = 0; // for the next kernel
+  }
+  __syncthreads();
+  if (!is_last) return;
+  own = {};
+  for (unsigned i = threadIdx.x; i < gridDim.x; i += threads)
+    own = join(own, read_past_l1(parts + 1 + i));
+  own = joined_by(ThreadBlock{}, own);
+  if (threadIdx.x == 0) parts[0] = own;
+}
+
+// Most boxes hold few things: eight threads share one. What is too much for them is put on a list, whose
+// length is large[0].
+inline constexpr unsigned max_for_tile = 256;
+template <class Work>
+concept has_size = requires(const Work& work) {
+  work.size(0);
+};
+template <class Work>
+constexpr unsigned tile_width() {
+  if constexpr (requires { Work::threads; }) return Work::threads;
+  return 8;
+}
+// Tiles of a block: as many as its shared memory holds the scratch of.
+template <class Work>
+inline constexpr unsigned
+    tiles = std::min(threads / tile_width<Work>(),
+                     std::bit_floor(unsigned{48 * 1024 / sizeof(typename Work::Scratch)}));
+template <class Work>
+__global__ void __launch_bounds__(tiles<Work>* tile_width<Work>())
+    each_by_tile(std::uint64_t count, const __grid_constant__ Work work, std::uint32_t* large) {
+  __shared__ typename Work::Scratch scratch[tiles<Work>];
+  constexpr unsigned width = tile_width<Work>();
+  const unsigned own = threadIdx.x / width;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * tiles<Work> + own;
+  if (i >= count) return;
+  if constexpr (has_size<Work>) {
+    if (work.size(i) > max_for_tile) {
+      if (threadIdx.x % width == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
+      return;
+    }
+  }
+  work(WarpTile<width>{}, scratch[own], i);
+}
+
+// Of what a block shares each.
+template <class Work>
+__global__ void __launch_bounds__(Work::threads) one_by_block(const __grid_constant__ Work work) {
+  __shared__ typename Work::Scratch scratch;
+  work(ThreadBlock{}, scratch, blockIdx.x);
+}
+
+inline constexpr unsigned blocks_for_large = 1024;
+template <class Work>
+__global__ void __launch_bounds__(threads)
+    each_by_block(const __grid_constant__ Work work, const std::uint32_t* large) {
+  __shared__ typename Work::Scratch scratch;
+  for (std::uint32_t i = blockIdx.x; i < large[0]; i += gridDim.x) {
+    work(ThreadBlock{}, scratch, large[1 + i]);
+    __syncthreads();
+  }
+}
+
+// So few are sorted by one block, in half of the time that CUB's passes over memory take.
+inline constexpr unsigned sorting_threads = 512, sorted_by_thread = 8, bits_at_once = 5,
+                          max_for_block = sorting_threads * sorted_by_thread;
+template <class Value>
+__global__ void __launch_bounds__(sorting_threads)
+    sort_by_block(std::uint64_t* keys, Value* values, unsigned count, int bits) {
+  using Sort = cub::BlockRadixSort<std::uint64_t, sorting_threads, sorted_by_thread, Value, bits_at_once>;
+  __shared__ typename Sort::TempStorage memory;
+  std::uint64_t own_keys[sorted_by_thread];
+  Value own_values[sorted_by_thread];
+  for (unsigned k = 0; k < sorted_by_thread; ++k) {
+    const unsigned i = threadIdx.x * sorted_by_thread + k;
+    own_keys[k] = i < count ? keys[i] : ~std::uint64_t{0}; // after all others
+    own_values[k] = i < count ? values[i] : Value{};
+  }
+  Sort(memory).SortBlockedToStriped(own_keys, own_values, 0, bits);
+  for (unsigned k = 0; k < sorted_by_thread; ++k) {
+    const unsigned i = k * sorting_threads + threadIdx.x;
+    if (i >= count) continue;
+    keys[i] = own_keys[k];
+    values[i] = own_values[k];
+  }
+}
+
+struct Sum {
+  template <class T>
+  MASU_HD T operator()(const T& a, const T& b) const {
+    return a + b;
+  }
+};
+
+// So few are summed up by one block, piece by piece, sooner than CUB's kernels are launched; and what is
+// summed up is computed there, too, where it is one piece.
+inline constexpr unsigned summing_threads = 512, summed_by_thread = 8,
+                          summed_at_once = summing_threads * summed_by_thread,
+                          max_summed_by_block = 8 * summed_at_once;
+template <class T, class Of>
+__global__ void __launch_bounds__(summing_threads)
+    sum_by_block(T* sums, unsigned count, const __grid_constant__ Of of) {
+  using Scan = cub::BlockScan<T, summing_threads>;
+  __shared__ typename Scan::TempStorage memory;
+  T before{};
+  for (unsigned piece = 0; piece < count; piece += summed_at_once) {
+    const unsigned first = piece + threadIdx.x * summed_by_thread;
+    T own[summed_by_thread], all;
+    for (unsigned k = 0; k < summed_by_thread; ++k)
+      own[k] = first + k < count ? of(first + k) : T{};
+    Scan(memory).ExclusiveScan(own, own, T{}, Sum{}, all);
+    for (unsigned k = 0; k < summed_by_thread; ++k)
+      if (first + k < count) sums[first + k] = before + own[k];
+    before = before + all;
+    __syncthreads(); // the memory has been read
+  }
+}
+
+} // namespace masu::kernels
