@@ -10,7 +10,7 @@ colors = '#000000 #0072b2 #d55e00 #e69f00 #d55e00 #e69f00'
 set logscale xy
 set xrange [1e3:1e9]
 set format x '10^{%T}'
-set format y '%g'
+set format y '10^{%T}'
 set xtics 100
 set termoption enhanced
 array sizes[100]
