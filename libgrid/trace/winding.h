@@ -156,13 +156,15 @@ template <class Stored>
 double winding_number(const SceneView<Stored>& scene, const HierarchyView<Stored>& hierarchy,
                       const WindingClusters& clusters, const Vec3d& place, double bound, bool side,
                       std::vector<UndividedCluster>& room) {
-  double value = 0;
-  for (std::uint32_t i = 0; hierarchy.nodes == nullptr && i < scene.triangle_count; ++i)
-    value += winding_of(scene.triangles[i], place);
-  if (hierarchy.nodes == nullptr) return value;
+  if (hierarchy.nodes == nullptr) {
+    double sum = 0;
+    for (std::uint32_t i = 0; i < scene.triangle_count; ++i)
+      sum += winding_of(scene.triangles[i], place);
+    return sum;
+  }
   const UndividedCluster root = undivided(clusters.of_nodes[0], 0, place);
   room.assign(1, root);
-  value = root.value;
+  double value = root.value;
   std::uint64_t all = root.bound;
   const auto enough = [&] {
     const double off = static_cast<double>(all) * 0x1p-32;
