@@ -99,14 +99,13 @@ public:
     make_whole();
     return view_but_triangles<Stored>();
   }
-  // For who reads no triangles: they may be still to be made, from these meshes.
+  // For who reads no triangles: they may be still to be made, from the meshes that unmade_triangles() gives
+  // until they are.
   template <class Stored>
   const SceneView<Stored>& view_but_triangles() const {
     return std::get<SceneView<Stored>>(view_);
   }
-  std::shared_ptr<const MeshTriangles> unmade_triangles() const {
-    return unmade_triangles_.lock();
-  } // or none
+  std::shared_ptr<const MeshTriangles> unmade_triangles() const { return unmade_triangles_.lock(); }
   template <class Stored>
   Lighting<Stored> lighting() const;
   // What act(the view of the file's own) returns.
