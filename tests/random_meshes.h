@@ -35,7 +35,7 @@ inline std::vector<IndexedMesh> views_of(const std::vector<MeshArrays>& meshes) 
 }
 
 // Around a place that may be far away: of floats or doubles, indexed or not, some empty, some of whose
-// triangles have no surface, and with vertices that no triangle has.
+// triangles have no surface, with zeros of both signs and vertices that no triangle has.
 inline std::vector<MeshArrays> random_meshes(Chance& chance, int most_triangles) {
   std::vector<MeshArrays> meshes(static_cast<std::size_t>(chance.whole(1, 5)));
   const Vec3d place = chance.in_cube(chance.one_of({0.0, 1.0, 1000.0}));
@@ -47,6 +47,7 @@ inline std::vector<MeshArrays> random_meshes(Chance& chance, int most_triangles)
     Vec3d vertex = place;
     for (std::size_t i = 0; i < count; ++i) {
       if (i == 0 || !(chance.uniform(0, 1) < no_surface)) vertex = place + chance.in_cube(1);
+      if (chance.one_in(8)) vertex.set(chance.whole(0, 2), chance.one_of({0.0, -0.0}));
       for (int axis = 0; axis < 3; ++axis)
         is_double ? mesh.doubles.push_back(vertex[axis])
                   : mesh.floats.push_back(static_cast<float>(vertex[axis]));
