@@ -269,13 +269,13 @@ void ContainerFile::make_later() const {
   tbb::this_task_arena::isolate([&] {
     const std::lock_guard lock(later_->mutex);
     if (later_->is_made.load(std::memory_order_relaxed)) return;
-    SectionData& section = later_->section;
+    const SectionData& section = later_->section;
     make_section(section, static_cast<std::uint8_t*>(const_cast<void*>(section.data)), nullptr);
-    section.convert = {};
-    const Hash hash = hash_of_section(section);
+    const Hash hash = hash_of_section({section.kind, section.record_bytes, section.count, section.data});
     *later_->hash = fb::Hash(hash.low, hash.high);
     Prelude& head = *reinterpret_cast<Prelude*>(const_cast<std::uint8_t*>(head_.data()));
     head.hash = content_hash(head, table_bytes());
+    later_->section = {}; // and what it is made from: after all that may fail
     later_->is_made.store(true, std::memory_order_release);
   });
 }

@@ -3,9 +3,8 @@
 
 #include "libscene/base/host_array.h"
 #include "libscene/base/progress_monitor.h"
-#include "libscene/mesh/triangle_area.h"
+#include "libscene/mesh/stored_triangles.h"
 #include "libscene/mesh/vertices.h"
-#include "libscene/passes/executor.h"
 #include "libscene/scene.h"
 
 #include <functional>
@@ -59,11 +58,10 @@ public:
 
 private:
   Vec3d corner(std::size_t i) const {
-    const std::size_t first = 3 * (vertices_.indices.empty() ? i : vertices_.indices[i]);
-    if (const float* const v = vertices_.floats)
-      return cast<double>(Vec3f{v[first], v[first + 1], v[first + 2]});
-    const double* const v = vertices_.doubles;
-    return {v[first], v[first + 1], v[first + 2]};
+    const auto of = [&]<class Number>(const Number* numbers) {
+      return WorldVertices<Number>{numbers, vertices_.indices.data(), {}}.corner(i);
+    };
+    return vertices_.floats != nullptr ? of(vertices_.floats) : of(vertices_.doubles);
   }
 
   std::size_t size_ = 0;
