@@ -76,26 +76,16 @@ const RegisteredMapping* mapping_of(const void* address) {
   return nullptr;
 }
 
-[[noreturn]] void end_with_line(const RegisteredMapping& mapping, const char* what) {
-  static constinit std::atomic<bool> is_ending{false};
-  while (is_ending.exchange(true)) // several threads may fault at once: one line
-    pause();
-  std::array<char, 1400> line{};
-  std::size_t length = 0;
-  for (const char* const part : {name_of_tool.load(), ": ", mapping.path.data(), ": ", what, "\n"})
-    for (const char* c = part; *c != '\0' && length < line.size(); ++c)
-      line[length++] = *c;
-  static_cast<void>(!write(STDERR_FILENO, line.data(), length));
-  remove_temporary_names();
-  _exit(static_cast<int>(ErrorCode::input));
+[[noreturn]] void end_for(const RegisteredMapping& mapping, const char* what) {
+  end_with_line({name_of_tool, ": ", mapping.path.data(), ": ", what});
 }
 
 constexpr const char* changed = "was changed while it was in use: run again when it is complete";
 
 void end_by_fault(int signal, siginfo_t* fault, void*) {
-  if (const RegisteredMapping* const mapping = first_changed()) end_with_line(*mapping, changed);
+  if (const RegisteredMapping* const mapping = first_changed()) end_for(*mapping, changed);
   if (const RegisteredMapping* const mapping = signal == SIGBUS ? mapping_of(fault->si_addr) : nullptr)
-    end_with_line(*mapping, "can't be read: the disk or the network reports an error");
+    end_for(*mapping, "can't be read: the disk or the network reports an error");
   std::signal(signal, SIG_DFL); // and the same instruction faults again
 }
 
@@ -111,7 +101,7 @@ void watch_mappings(const std::stop_token& stop) {
     stopped.wait_for(lock, stop, interval, [] { return false; });
     const RegisteredMapping* const mapping = first_changed();
     waited = mapping != nullptr ? waited + interval : std::chrono::milliseconds(0);
-    if (mapping != nullptr && waited > patience && !stop.stop_requested()) end_with_line(*mapping, changed);
+    if (mapping != nullptr && waited > patience && !stop.stop_requested()) end_for(*mapping, changed);
   }
 }
 

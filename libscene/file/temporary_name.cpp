@@ -1,5 +1,7 @@
 #include "libscene/file/temporary_name.h"
 
+#include "libscene/base/error.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
@@ -49,11 +51,11 @@ void unregister_name(int folder, const std::string& name) {
   }
 }
 
-constinit std::atomic<bool> is_ending{false}; // by a signal
-constinit std::atomic<int> changes{0};        // of names, under way
+constinit std::atomic<bool> is_ending{false};
+constinit std::atomic<int> changes{0}; // of names, under way
 
-// A name that is made, renamed or removed, and what registered_names says of it: signals wait until both are
-// true. That also holds for those which another thread handles.
+// A name that is made, renamed or removed, and what registered_names says of it: signals, also those which
+// another thread handles, and other ends of the process wait until both are true.
 class NameChange {
 public:
   NameChange() {
@@ -81,11 +83,18 @@ private:
   sigset_t before_{};
 };
 
-void remove_all_and_end(int signal) {
+// As the process ends: also names that are just being made.
+void remove_temporary_names() {
   is_ending = true;
   constexpr int longest_wait = 5000; // ms: a file system that doesn't answer
   for (int waited = 0; changes > 0 && waited < longest_wait; ++waited)
     poll(nullptr, 0, 1);
+  for (const RegisteredName& entry : registered_names) {
+    if (const int folder = entry.folder; folder >= 0) unlinkat(folder, entry.name.data(), 0);
+  }
+}
+
+void remove_all_and_end(int signal) {
   remove_temporary_names();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -192,10 +201,23 @@ bool TemporaryName::rename_to(const std::string& name) {
   return true;
 }
 
-void remove_temporary_names() {
-  for (const RegisteredName& entry : registered_names) {
-    if (const int folder = entry.folder; folder >= 0) unlinkat(folder, entry.name.data(), 0);
-  }
+void claim_last_line() {
+  static constinit std::atomic<bool> is_claimed{false};
+  while (is_claimed.exchange(true))
+    pause();
+}
+
+void end_with_line(std::initializer_list<const char*> parts) {
+  claim_last_line();
+  std::array<char, 1400> line{};
+  std::size_t length = 0;
+  for (const char* const part : parts)
+    for (const char* c = part; *c != '\0' && length < line.size() - 1; ++c)
+      line[length++] = *c;
+  line[length++] = '\n';
+  static_cast<void>(!write(STDERR_FILENO, line.data(), length));
+  remove_temporary_names();
+  _exit(static_cast<int>(ErrorCode::input));
 }
 
 void remove_temporary_names_on_signals() {

@@ -6,6 +6,7 @@
 #include <array>
 #include <csignal>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 
 namespace masu {
@@ -44,9 +45,13 @@ private:
   std::string name_;
 };
 
-// Removes all temporary names, as the process ends, but for one that another thread is making just then.
-// Calls only async-signal-safe functions.
-void remove_temporary_names();
+// One line says why a process ends: the first thread that calls this goes on, all others wait for the end.
+void claim_last_line();
+
+// Writes the parts and a newline to standard error, if no other thread has claimed that, removes all
+// temporary names and ends the process, as where an input can't be used. Calls only async-signal-safe
+// functions.
+[[noreturn]] void end_with_line(std::initializer_list<const char*> parts);
 
 inline bool is_same_file(const struct stat& a, const struct stat& b) {
   return a.st_dev == b.st_dev && a.st_ino == b.st_ino;

@@ -74,18 +74,20 @@ namespace {
 
 constexpr const char* no_memory = "memory: there isn't enough: choose a smaller scene or a coarser grid";
 
-// Destructors of libraries (nlohmann's JSON, TBB) allocate memory, and end the process where there is none.
-void end_without_memory() {
+// Destructors of libraries (nlohmann's JSON, TBB) allocate memory, and TBB's threads start others: where
+// there is none, they end the process.
+void end_with_reason() {
+  const char* const name = program_invocation_short_name;
   try {
-    // There is none where not even that for an exception could be had.
+    // There is none where not even memory for an exception could be had.
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
+  } catch (const std::exception& error) {
+    end_with_line({name, ": ", error.what()});
   } catch (...) {
-    std::abort();
+    end_with_line({name, ": an unknown error"});
   }
-  static_cast<void>(std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, no_memory));
-  remove_temporary_names();
-  _exit(static_cast<int>(ErrorCode::input));
+  end_with_line({name, ": ", no_memory});
 }
 
 // A folder is what can't be read or written, not even by a name of the descriptor (/dev/stdin), which opens
@@ -102,7 +104,7 @@ void open_closed_streams() {
 
 void prepare_process() {
   open_closed_streams();
-  std::set_terminate(end_without_memory);
+  std::set_terminate(end_with_reason);
 }
 
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
@@ -114,6 +116,7 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
       text = printable(line);
     } catch (const std::bad_alloc&) {
     }
+    claim_last_line();
     if (prints.error())
       static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, text.empty() ? no_memory : text.c_str()));
     return static_cast<int>(code);
@@ -128,6 +131,7 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
     run_command_line(name, description, fmt::format("{}, {}", name, program_name()), argc, argv, body,
                      prints.help);
     flush_standard_output();
+    claim_last_line(); // success needs none
     return 0;
   } catch (const Error& error) {
     return report(error.code(), error.text());
