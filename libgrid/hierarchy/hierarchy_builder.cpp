@@ -40,8 +40,8 @@ void check_hierarchy(std::uint64_t primitives, const Boxd& space) {
                   available_memory_for(hierarchy_bytes_per_primitive * static_cast<double>(primitives)));
 }
 
-template <class Stored>
-Structure build_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality,
+template <class Scene>
+Structure build_hierarchy(const Scene& scene, const GridLayout& layout, HierarchyQuality quality,
                           ProgressMonitor* progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
   TbbExecutor executor{progress};
@@ -54,6 +54,14 @@ Structure build_hierarchy(const SceneView<Stored>& scene, const GridLayout& layo
 template Structure build_hierarchy(const SceneView<float>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);
 template Structure build_hierarchy(const SceneView<double>&, const GridLayout&, HierarchyQuality,
+                                   ProgressMonitor*);
+template Structure build_hierarchy(const MeshScene<float, float>&, const GridLayout&, HierarchyQuality,
+                                   ProgressMonitor*);
+template Structure build_hierarchy(const MeshScene<float, double>&, const GridLayout&, HierarchyQuality,
+                                   ProgressMonitor*);
+template Structure build_hierarchy(const MeshScene<double, float>&, const GridLayout&, HierarchyQuality,
+                                   ProgressMonitor*);
+template Structure build_hierarchy(const MeshScene<double, double>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);
 
 template <class Stored>

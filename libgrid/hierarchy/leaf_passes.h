@@ -77,9 +77,9 @@ inline constexpr double large_width = 16;
 inline constexpr double cuts_per_width = 0.7;
 inline constexpr std::uint32_t max_cuts_log2 = 6, max_cuts = (1U << max_cuts_log2) - 1;
 
-template <class Stored>
+template <class Scene>
 struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
-  SceneView<Stored> scene;
+  Scene scene;
   double margin;
   MortonCurve curve;
   double mean_width; // of all boxes
@@ -103,34 +103,31 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
     return 0;
   }
   // Calls act(box) for each part of a primitive.
-  template <class Act>
-  MASU_HD void for_each_part(PrimitiveIndex index, const Act& act) const {
-    with_primitive(scene, index, [&](const auto& primitive) {
-      struct Part {
-        Boxf box;
-        std::uint32_t cuts;
-      } stack[max_cuts_log2 + 1];
-      const Boxf whole = box_around(bounds(primitive), margin);
-      const double own = empty_width(primitive),
-                   cuts = own > 0 ? std::min(cuts_per_width * own / mean_width, double{max_cuts}) : 0;
-      stack[0] = {whole, static_cast<std::uint32_t>(cuts)};
-      for (int height = 1; height > 0;) {
-        const Part part = stack[--height];
-        Part below = part, above = part;
-        if (part.cuts == 0 || !cut(primitive, below.box, above.box)) {
-          act(part.box);
-          continue;
-        }
-        const float low = longest_side(below.box), high = longest_side(above.box);
-        const float share = low > 0 ? low / (low + high) : 0;
-        below.cuts =
-            std::min(static_cast<std::uint32_t>(static_cast<float>(part.cuts) * share), part.cuts - 1);
-        above.cuts = part.cuts - 1 - below.cuts;
-        // The one of more cuts waits: so each that waits has at most half of the cuts of the one before.
-        stack[height++] = below.cuts > above.cuts ? below : above;
-        stack[height++] = below.cuts > above.cuts ? above : below;
+  template <class Primitive, class Act>
+  MASU_HD void for_each_part(const Primitive& primitive, const Act& act) const {
+    struct Part {
+      Boxf box;
+      std::uint32_t cuts;
+    } stack[max_cuts_log2 + 1];
+    const Boxf whole = box_around(bounds(primitive), margin);
+    const double own = empty_width(primitive),
+                 cuts = own > 0 ? std::min(cuts_per_width * own / mean_width, double{max_cuts}) : 0;
+    stack[0] = {whole, static_cast<std::uint32_t>(cuts)};
+    for (int height = 1; height > 0;) {
+      const Part part = stack[--height];
+      Part below = part, above = part;
+      if (part.cuts == 0 || !cut(primitive, below.box, above.box)) {
+        act(part.box);
+        continue;
       }
-    });
+      const float low = longest_side(below.box), high = longest_side(above.box);
+      const float share = low > 0 ? low / (low + high) : 0;
+      below.cuts = std::min(static_cast<std::uint32_t>(static_cast<float>(part.cuts) * share), part.cuts - 1);
+      above.cuts = part.cuts - 1 - below.cuts;
+      // The one of more cuts waits: so each that waits has at most half of the cuts of the one before.
+      stack[height++] = below.cuts > above.cuts ? below : above;
+      stack[height++] = below.cuts > above.cuts ? above : below;
+    }
   }
 
 private:
@@ -164,48 +161,48 @@ struct WidthSum {
 MASU_HD inline WidthSum join(const WidthSum& a, const WidthSum& b) {
   return {a.width + b.width, a.count + b.count};
 }
-template <class Stored>
+template <class Scene>
 struct WidthOf {
-  SceneView<Stored> scene;
+  Scene scene;
   MASU_HD WidthSum operator()(std::uint64_t i) const {
     WidthSum sum;
     with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
-      if (has_surface(primitive)) sum = {Divider<Stored>::width(bounds(primitive)), 1};
+      if (has_surface(primitive)) sum = {Divider<Scene>::width(bounds(primitive)), 1};
     });
     return sum;
   }
 };
 
 // Pairs of a part's place in the order, and its leaf.
-template <class Stored>
+template <class Scene>
 struct EmitParts {
-  Divider<Stored> divider;
+  Divider<Scene> divider;
 
   MASU_HD std::uint64_t size(std::uint64_t) const { return 1; }
   template <class Add>
   MASU_HD void operator()(std::uint64_t i, std::uint64_t first_row, std::uint64_t, const Add& add) const {
-    const auto primitive = static_cast<PrimitiveIndex>(i);
-    bool is_there = first_row == 0;
-    with_primitive(divider.scene, primitive,
-                   [&](const auto& what) { is_there = is_there && has_surface(what); });
-    if (!is_there) return;
-    divider.for_each_part(primitive, [&](const Boxf& box) {
-      const std::uint64_t is_small = divider.width(cast<double>(box)) < large_width * divider.mean_width;
-      add(is_small << 3 * MortonCurve::bits_per_axis | divider.curve.code(box),
-          BinaryNode{box.min, primitive, box.max, 1});
+    if (first_row > 0) return;
+    const auto index = static_cast<PrimitiveIndex>(i);
+    with_primitive(divider.scene, index, [&](const auto& primitive) {
+      if (!has_surface(primitive)) return;
+      divider.for_each_part(primitive, [&](const Boxf& box) {
+        const std::uint64_t is_small = divider.width(cast<double>(box)) < large_width * divider.mean_width;
+        add(is_small << 3 * MortonCurve::bits_per_axis | divider.curve.code(box),
+            BinaryNode{box.min, index, box.max, 1});
+      });
     });
   }
 };
 
-template <class Executor, class Stored>
-ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const SceneView<Stored>& scene,
+template <class Executor, class Scene>
+ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const Scene& scene,
                                                const GridLayout& layout) {
   const std::uint64_t primitives = scene.primitive_count();
-  const auto sum = joined_in_order<WidthSum>(executor, primitives, WidthOf<Stored>{scene});
-  const Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space),
-                                static_cast<float>(sum.width / static_cast<double>(sum.count))};
+  const auto sum = joined_in_order<WidthSum>(executor, primitives, WidthOf<Scene>{scene});
+  const Divider<Scene> divider{scene, layout.margin, MortonCurve(layout.space),
+                               static_cast<float>(sum.width / static_cast<double>(sum.count))};
   auto sorted = executor.template emit_sorted<BinaryNode>(primitives, 3 * MortonCurve::bits_per_axis + 1,
-                                                          max_numbered, EmitParts<Stored>{divider});
+                                                          max_numbered, EmitParts<Scene>{divider});
   return std::move(sorted->values);
 }
 

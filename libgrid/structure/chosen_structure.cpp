@@ -5,6 +5,7 @@
 #include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
+#include "libscene/mesh/indexed_mesh.h"
 
 #include <fmt/format.h>
 
@@ -314,8 +315,33 @@ BuildOptions fast_hierarchy_options() {
   return options;
 }
 
+namespace {
+
+// Before a scene's triangles are made of meshes: they aren't in memory beside what building takes.
+Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, const BuildOptions& options,
+                       const std::function<void(double)>& progress) {
+  return scene.with_view_but_triangles([&]<class Stored>(const SceneView<Stored>& others) {
+    return meshes.as_stored<Stored>(scene.origin(), [&](const auto& triangles) {
+      ProgressMonitor monitor(progress);
+      return build_hierarchy(MeshScene{others, triangles},
+                             layout_in<Stored>(scene.bounds(), {1, 1, 1}, options.space),
+                             options.structure.quality, &monitor);
+    });
+  });
+}
+
+} // namespace
+
 StructureFile built_in_memory(const SceneFile& scene, const BuildOptions& options,
                               const std::function<void(double)>& progress, std::optional<int> cuda_device) {
+  if (options.structure.kind == StructureKind::hierarchy && !cuda_device) {
+    if (auto meshes = scene.unmade_triangles()) {
+      const Structure hierarchy = hierarchy_of(scene, *meshes, options, progress);
+      meshes.reset(); // they go when the triangles are made, for the hash
+      return structure_in_memory(
+          hierarchy, provenance_of(scene.geometry(), scene.primitive_count(), options, hierarchy));
+    }
+  }
   return scene.with_view([&](const auto& view) {
     const auto builder =
         cuda_device ? cuda_builder(view, *cuda_device, progress, false) : cpu_builder(view, progress);

@@ -198,7 +198,7 @@ MeshTriangles::MeshTriangles(std::span<const IndexedMesh> meshes, const Progress
   are_doubles ? take(&Vertices::doubles) : take(&Vertices::floats);
   if (indices) vertices_.indices = *indices;
   indices_ = indices;
-  if (first_surface != Found::none) place_ = corner(3 * first_surface);
+  if (first_surface != Found::none) place_ = (*this)[first_surface].a;
   if (size() > 0 && is_empty(box_)) box_ = {place_, place_};
 }
 

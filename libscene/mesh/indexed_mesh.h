@@ -37,11 +37,17 @@ public:
   MeshTriangles(std::span<const IndexedMesh> meshes, const ProgressMonitor* progress);
 
   std::size_t size() const { return size_; }
+  // Calls act(all of them as they are stored, relative to an origin: StoredTriangles).
+  template <class Stored, class Act>
+  auto as_stored(const Vec3d& origin, const Act& act) const {
+    const auto of = [&]<class Number>(const Number* numbers) {
+      return act(StoredTriangles<Stored, Number>{
+          {numbers, vertices_.indices.data(), origin}, begins_.data(), begins_.size(), place_});
+    };
+    return vertices_.floats != nullptr ? of(vertices_.floats) : of(vertices_.doubles);
+  }
   SceneTriangle operator[](std::size_t i) const {
-    const std::size_t m = begins_.size() == 1 ? 0 : owner_of(begins_.data(), begins_.size(), i);
-    const Vec3d a = corner(3 * i), b = corner(3 * i + 1), c = corner(3 * i + 2);
-    if (!has_distinct_corners(a, b, c)) return {place_, m, place_, m, place_, no_normals};
-    return {a, m, b, m, c, no_normals};
+    return as_stored<double>({}, [i](const auto& triangles) { return triangles(i); });
   }
   // Of all; empty where there are none.
   const Boxd& box() const { return box_; }
@@ -57,13 +63,6 @@ public:
   const Vec3d& place() const { return place_; }
 
 private:
-  Vec3d corner(std::size_t i) const {
-    const auto of = [&]<class Number>(const Number* numbers) {
-      return WorldVertices<Number>{numbers, vertices_.indices.data(), {}}.corner(i);
-    };
-    return vertices_.floats != nullptr ? of(vertices_.floats) : of(vertices_.doubles);
-  }
-
   std::size_t size_ = 0;
   Vertices vertices_;                   // in
   std::shared_ptr<const void> numbers_; // and, where there are any,

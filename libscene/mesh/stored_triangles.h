@@ -37,7 +37,7 @@ MASU_HD Triangle<Stored> stored_triangle(const Vec3d& origin, const Triangle<dou
           stored_point<Stored>(origin, face.c), static_cast<Tag>(face.normals)};
 }
 
-// MeshTriangles (indexed_mesh.h) of arrays that are elsewhere, as they are stored.
+// Of meshes whose arrays follow one another (MeshTriangles, indexed_mesh.h), as they are stored.
 template <class Stored, class Number>
 struct StoredTriangles {
   WorldVertices<Number> vertices;

@@ -2,6 +2,7 @@
 #include "libgrid/structure/chosen_structure.h"
 #include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/error.h"
+#include "tests/random_meshes.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/same_grid.h"
@@ -262,6 +263,23 @@ TEST(FastestAnywhere, IsAGridWhereAMergeRuleOrADivisionIsGiven) {
   EXPECT_EQ(kind(StructureChoice::grid, StructureKind::automatic, "auto"), StructureKind::automatic);
   EXPECT_EQ(kind(StructureChoice::hierarchy, StructureKind::automatic, "8"), StructureKind::hierarchy);
   EXPECT_THROW(kind(StructureChoice::hierarchy, StructureKind::x, "auto"), Error);
+}
+
+using HierarchyOfMeshesInMemory = RandomTest;
+
+TEST_F(HierarchyOfMeshesInMemory, IsThatOfTheirTrianglesWrittenOut) {
+  for (std::int64_t i = cases(60); i > 0; --i) {
+    const std::vector<MeshArrays> meshes = random_meshes(chance_, chance_.one_of({3, 300, 10'000}));
+    const Store store = chance_.one_of({Store::automatic, Store::float32, Store::float64});
+    const ArrayScene scene = scene_of(views_of(meshes));
+    BuildOptions options = fast_hierarchy_options();
+    options.structure.quality = chance_.one_of({HierarchyQuality::fast, HierarchyQuality::high});
+    const SceneFile file = scene_in_memory(scene, store);
+    const StructureFile expected =
+        built_in_memory(scene_in_memory(written_out(meshes, scene), store), options);
+    ASSERT_EQ(built_in_memory(file, options).hash(), expected.hash());
+    ASSERT_EQ(built_in_memory(file, options).hash(), expected.hash()) << "of triangles that are made";
+  }
 }
 
 } // namespace

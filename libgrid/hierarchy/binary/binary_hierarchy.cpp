@@ -18,11 +18,10 @@ namespace masu {
 
 namespace {
 
-template <class Stored>
+template <class Scene>
 class BinaryBuilder {
 public:
-  BinaryBuilder(const SceneView<Stored>& scene, double margin, HostArray<BinaryNode> leaves,
-                ProgressMonitor* progress)
+  BinaryBuilder(const Scene& scene, double margin, HostArray<BinaryNode> leaves, ProgressMonitor* progress)
       : scene_(scene), margin_(margin), progress_(progress),
         count_(static_cast<std::uint32_t>(leaves.size())), fragments_(std::move(leaves)),
         room_(static_cast<std::uint32_t>(spare_fragments * static_cast<double>(count_))),
@@ -31,9 +30,10 @@ public:
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         BinaryNode& fragment = fragments_[i];
         fragment.count = 0;
-        if (fragment.index < scene_.triangle_count)
-          fragment.count = same(box_of(fragment),
-                                lanes_around(bounds(widened(*scene_.triangle(fragment.index))), margin_));
+        with_primitive(scene_, fragment.index, [&]<class Primitive>(const Primitive& primitive) {
+          if constexpr (std::is_same_v<Primitive, Triangle<double>>)
+            fragment.count = same(box_of(fragment), lanes_around(bounds(primitive), margin_));
+        });
       }
     });
   }
@@ -355,7 +355,7 @@ private:
     return costs;
   }
 
-  const SceneView<Stored>& scene_;
+  const Scene& scene_;
   double margin_;
   ProgressMonitor* progress_;
   std::uint32_t count_; // of leaves
@@ -372,16 +372,24 @@ private:
 
 } // namespace
 
-template <class Stored>
-BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
-                                              HostArray<BinaryNode> leaves, ProgressMonitor* progress) {
-  BinaryBuilder<Stored> builder(scene, margin, std::move(leaves),
-                                progress); // at the end of which they are gone
+template <class Scene>
+BinaryHierarchy<TbbExecutor> binary_hierarchy(const Scene& scene, double margin, HostArray<BinaryNode> leaves,
+                                              ProgressMonitor* progress) {
+  BinaryBuilder<Scene> builder(scene, margin, std::move(leaves),
+                               progress); // at the end of which they are gone
   return builder.build();
 }
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, double, HostArray<BinaryNode>,
                                                        ProgressMonitor*);
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<double>&, double,
+                                                       HostArray<BinaryNode>, ProgressMonitor*);
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshScene<float, float>&, double,
+                                                       HostArray<BinaryNode>, ProgressMonitor*);
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshScene<float, double>&, double,
+                                                       HostArray<BinaryNode>, ProgressMonitor*);
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshScene<double, float>&, double,
+                                                       HostArray<BinaryNode>, ProgressMonitor*);
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshScene<double, double>&, double,
                                                        HostArray<BinaryNode>, ProgressMonitor*);
 
 } // namespace masu

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "libgrid/hierarchy/collapse_passes.h"
+#include "libscene/mesh/mesh_scene.h"
 #include "libscene/passes/host_executor.h"
-#include "libscene/scene_view.h"
 
 namespace masu {
 
@@ -12,10 +12,10 @@ namespace masu {
 // Bounding Volume Hierarchies", RT 2007), with what the leaves hold of primitives divided further at planes
 // where boxes would overlap (Stich, Friedrich & Dietrich, "Spatial Splits in Bounding Volume Hierarchies",
 // HPG 2009). Boxes contain `margin` around each primitive. No more than max_hierarchy_depth nodes deep.
-// `progress` gets shares of the work.
-template <class Stored>
-BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
-                                              HostArray<BinaryNode> leaves, ProgressMonitor* progress);
+// Scene: SceneView or MeshScene. `progress` gets shares of the work.
+template <class Scene>
+BinaryHierarchy<TbbExecutor> binary_hierarchy(const Scene& scene, double margin, HostArray<BinaryNode> leaves,
+                                              ProgressMonitor* progress);
 
 // Enough bytes per primitive for the binary hierarchy and what it is made into.
 inline constexpr double hierarchy_bytes_per_primitive = 300;

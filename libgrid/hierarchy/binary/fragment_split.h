@@ -89,9 +89,8 @@ struct RangeSplit {
     return kind == SplitKind::by_space ? centre < 2 * along.plane(at.number) : along(centre) <= at.number;
   }
   // By the plane; then its parts, unless one is empty.
-  template <class Stored>
-  MASU_HD bool divides(const SceneView<Stored>& scene, double margin, const BinaryNode& fragment,
-                       Sides& parts) const {
+  template <class Scene>
+  MASU_HD bool divides(const Scene& scene, double margin, const BinaryNode& fragment, Sides& parts) const {
     if (kind != SplitKind::by_space || along(fragment.min[at.axis]) > at.number ||
         along(fragment.max[at.axis]) <= at.number)
       return false;
