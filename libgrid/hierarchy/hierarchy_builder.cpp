@@ -55,13 +55,13 @@ template Structure build_hierarchy(const SceneView<float>&, const GridLayout&, H
                                    ProgressMonitor*);
 template Structure build_hierarchy(const SceneView<double>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);
-template Structure build_hierarchy(const MeshScene<float, float>&, const GridLayout&, HierarchyQuality,
+template Structure build_hierarchy(const MeshesView<float, float>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);
-template Structure build_hierarchy(const MeshScene<float, double>&, const GridLayout&, HierarchyQuality,
+template Structure build_hierarchy(const MeshesView<float, double>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);
-template Structure build_hierarchy(const MeshScene<double, float>&, const GridLayout&, HierarchyQuality,
+template Structure build_hierarchy(const MeshesView<double, float>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);
-template Structure build_hierarchy(const MeshScene<double, double>&, const GridLayout&, HierarchyQuality,
+template Structure build_hierarchy(const MeshesView<double, double>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);
 
 template <class Stored>

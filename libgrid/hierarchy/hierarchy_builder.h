@@ -3,7 +3,7 @@
 
 #include "libgrid/structure/structure.h"
 #include "libscene/base/progress_monitor.h"
-#include "libscene/mesh/mesh_scene.h"
+#include "libscene/mesh/meshes_view.h"
 
 namespace masu {
 
@@ -32,7 +32,7 @@ void check_hierarchy(std::uint64_t primitives, const Boxd& space);
 // top down (binary_hierarchy.h, top_down_host.h); then the cheapest nodes of eight boxes that it can be
 // collapsed to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's
 // space, in one voxel; boxes contain the layout's margin around each primitive. The root comes first, then
-// depth first, a node's nodes side by side. Scene: SceneView or MeshScene. `progress` gets shares of the work
+// depth first, a node's nodes side by side. Scene: SceneView or MeshesView. `progress` gets shares of the work
 // of high quality. Throws as check_hierarchy() does.
 template <class Scene>
 Structure build_hierarchy(const Scene& scene, const GridLayout& layout, HierarchyQuality quality = {},

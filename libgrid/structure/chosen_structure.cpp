@@ -323,7 +323,7 @@ Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, cons
   return scene.with_view_but_triangles([&]<class Stored>(const SceneView<Stored>& others) {
     return meshes.as_stored<Stored>(scene.origin(), [&](const auto& triangles) {
       ProgressMonitor monitor(progress);
-      return build_hierarchy(MeshScene{others, triangles},
+      return build_hierarchy(MeshesView{others, triangles},
                              layout_in<Stored>(scene.bounds(), {1, 1, 1}, options.space),
                              options.structure.quality, &monitor);
     });

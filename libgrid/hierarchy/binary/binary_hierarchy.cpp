@@ -383,13 +383,13 @@ template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, 
                                                        ProgressMonitor*);
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<double>&, double,
                                                        HostArray<BinaryNode>, ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshScene<float, float>&, double,
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshesView<float, float>&, double,
                                                        HostArray<BinaryNode>, ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshScene<float, double>&, double,
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshesView<float, double>&, double,
                                                        HostArray<BinaryNode>, ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshScene<double, float>&, double,
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshesView<double, float>&, double,
                                                        HostArray<BinaryNode>, ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshScene<double, double>&, double,
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshesView<double, double>&, double,
                                                        HostArray<BinaryNode>, ProgressMonitor*);
 
 } // namespace masu

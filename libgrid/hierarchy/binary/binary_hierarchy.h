@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/hierarchy/collapse_passes.h"
-#include "libscene/mesh/mesh_scene.h"
+#include "libscene/mesh/meshes_view.h"
 #include "libscene/passes/host_executor.h"
 
 namespace masu {
@@ -12,7 +12,7 @@ namespace masu {
 // Bounding Volume Hierarchies", RT 2007), with what the leaves hold of primitives divided further at planes
 // where boxes would overlap (Stich, Friedrich & Dietrich, "Spatial Splits in Bounding Volume Hierarchies",
 // HPG 2009). Boxes contain `margin` around each primitive. No more than max_hierarchy_depth nodes deep.
-// Scene: SceneView or MeshScene. `progress` gets shares of the work.
+// Scene: SceneView or MeshesView. `progress` gets shares of the work.
 template <class Scene>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const Scene& scene, double margin, HostArray<BinaryNode> leaves,
                                               ProgressMonitor* progress);

@@ -7,7 +7,7 @@
 namespace masu {
 
 template <class Stored, class Number>
-struct MeshScene {
+struct MeshesView {
   SceneView<Stored> others; // without triangles
   StoredTriangles<Stored, Number> triangles;
 
@@ -16,7 +16,7 @@ struct MeshScene {
 
 // As of a SceneView.
 template <class Stored, class Number, class Act>
-void with_primitive(const MeshScene<Stored, Number>& scene, PrimitiveIndex index, const Act& act) {
+void with_primitive(const MeshesView<Stored, Number>& scene, PrimitiveIndex index, const Act& act) {
   if (index < scene.others.triangle_count)
     act(widened(scene.triangles(index)));
   else
