@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -202,8 +203,11 @@ bool TemporaryName::rename_to(const std::string& name) {
 }
 
 void claim_last_line() {
-  static constinit std::atomic<bool> is_claimed{false};
-  while (is_claimed.exchange(true))
+  static constinit std::atomic<pthread_t> owner{0};
+  pthread_t before = 0;
+  if (owner.compare_exchange_strong(before, pthread_self()) || pthread_equal(before, pthread_self()) != 0)
+    return;
+  for (;;)
     pause();
 }
 
