@@ -9,12 +9,12 @@ The module calls libmasu.so. It looks for it where the environment variable MASU
 then where the system's loader looks. NumPy, PyTorch and CuPy are imported when their arrays are used.
 """
 
+from ._grid import Grid, GridDescription, load_grid
 from ._interpolate import interpolate
 from ._library import Error, Status, __version__, gpu_count
 from ._ray_mesh_intersector import RayMeshIntersector
 from ._raycasting_scene import RaycastingScene
-from ._scene import (Description, Faults, Grid, GridDescription, Mesh, MeshCheck, Placement, Primitive, Quadrics, Scene, load,
-                     load_grid)
+from ._scene import Description, Faults, Mesh, MeshCheck, Placement, Primitive, Quadrics, Scene, load
 from ._tracer import CLOSEST_FIELDS, FIELDS, Tracer
 
 __all__ = ["CLOSEST_FIELDS", "Description", "Error", "FIELDS", "Faults", "Grid", "GridDescription", "Mesh", "MeshCheck",

@@ -5,7 +5,8 @@ from ctypes import byref
 from typing import Any, Mapping
 
 from . import _arrays
-from ._library import ValuesRecord, call, library, sized
+from ._library import call, library
+from ._records import ValuesRecord, sized
 
 
 def interpolate(hits: Mapping[str, Any], values: Any, faces: Any = None, *, stream: Any = None) -> Any:

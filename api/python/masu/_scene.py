@@ -1,21 +1,19 @@
-"""Scenes and grids: in memory, from arrays or files."""
+"""Scenes in memory, from arrays or files."""
 
-import ctypes
 import operator
 import os
-import pathlib
 import shutil
 import subprocess
 import warnings
 from ctypes import byref, c_double, c_float
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _arrays, _mesh_objects
-from ._library import (EVERY_WORLD, KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, FaultsRecord,
-                       GeometryRecord, GridDescriptionRecord, MeshCheckRecord, MeshRecord, Path, PlacementRecord,
-                       PrimitiveRecord, Progress, QuadricsRecord,
-                       Resource, SceneDescriptionRecord, Status, call, check, choice, device_number, folders_of_tools, library,
-                       memory_file, path_bytes, sized)
+from ._grid import Grid
+from ._library import (Error, Path, Progress, Status, Written, call, choice, folders_of_tools, library, memory_file,
+                       path_bytes, told)
+from ._records import (EVERY_WORLD, KINDS, STORES, FaultsRecord, GeometryRecord, MeshCheckRecord, MeshRecord,
+                       PlacementRecord, PrimitiveRecord, QuadricsRecord, SceneDescriptionRecord, sized)
 
 Vector = Tuple[float, float, float]
 Color = Optional[Sequence[float]]  # 3, of a matte material; 0.8 each by default
@@ -55,17 +53,6 @@ class Description(NamedTuple):
     error_bound: float  # in scene units: how far from its surface a hit may be, with precision "auto"
     bytes: int  # in memory, and of its file
     is_float64: bool  # whether coordinates are stored, and rays traced, in float64
-
-
-class GridDescription(NamedTuple):
-    """What a grid is."""
-    structure: str  # "grid" or "bvh"
-    merge: str  # "none", "x", "balance" or "irregular"
-    division: Tuple[int, int, int]  # voxels along each axis; of an irregular grid at the top
-    cells: int  # of a merged grid; else 0
-    nodes: int  # of a bvh; else 0
-    references: int
-    bytes: int
 
 
 class Primitive(NamedTuple):
@@ -114,13 +101,6 @@ class MeshCheck(NamedTuple):
 def _faults(record: FaultsRecord, of_edges: bool) -> Faults:
     places = list(zip(record.primitives, record.corners))[:record.count]
     return Faults(record.count, places if of_edges else [primitive for primitive, _ in places])
-
-
-def _told(function: Callable[..., int], *arguments: Any, record: ctypes.Structure) -> Dict[str, Any]:
-    """What the function says in a record: numbers by name, and tuples for its arrays."""
-    call(function, *arguments, byref(sized(record)))
-    told = {name: getattr(record, name) for name, *_ in record._fields_ if name not in ("size", "reserved")}
-    return {name: tuple(value) if isinstance(value, ctypes.Array) else value for name, value in told.items()}
 
 
 # --- Arrays -------------------------------------------------------------------------------------------------------
@@ -221,7 +201,7 @@ def mesh_of(vertices: Any, faces: Any = None) -> Mesh:
 
 # --- Scenes -------------------------------------------------------------------------------------------------------
 
-class Scene(Resource):
+class Scene(Written):
     """What rays are traced through: triangles, spheres and cones, in memory.
 
         Scene(vertices, faces)
@@ -291,18 +271,11 @@ class Scene(Resource):
         scene._own("scene", library.masu_scene_read, (path_bytes(path),), library.masu_scene_free)
         return scene
 
-    def __reduce__(self) -> Any:
-        return _of_bytes, (type(self), _bytes_of(self))
-
-    def write(self, path: Path) -> None:
-        """Writes a scene file, whole or not at all."""
-        call(library.masu_scene_write, self, path_bytes(path))
-
     def describe(self) -> Description:
         """Counts, bounds and sizes."""
-        told = _told(library.masu_scene_describe, self, record=SceneDescriptionRecord())
-        told["is_float64"] = bool(told["is_float64"])
-        return Description(**told)
+        about = told(library.masu_scene_describe, self, record=SceneDescriptionRecord())
+        about["is_float64"] = bool(about["is_float64"])
+        return Description(**about)
 
     def primitive(self, index: int) -> Primitive:
         """The primitive of an index as `primitive_ids` has it; an IndexError where there is none."""
@@ -310,9 +283,9 @@ class Scene(Resource):
         count = sum(self.describe()[:3])
         if not 0 <= index < count:
             raise IndexError("primitive {}: there are {}".format(index, count))
-        told = _told(library.masu_scene_primitive, self, index, record=PrimitiveRecord())
-        told["kind"] = KINDS[told["kind"]]
-        return Primitive(**told)
+        about = told(library.masu_scene_primitive, self, index, record=PrimitiveRecord())
+        about["kind"] = KINDS[about["kind"]]
+        return Primitive(**about)
 
     def check(self) -> MeshCheck:
         """What is wrong with the triangles as a mesh: edges where it is open, turned or branches, faces without area or there
@@ -384,98 +357,3 @@ def _tool(name: str, path: Path) -> str:
         raise Error(Status.INPUT, "{}: isn't a scene file, and there is no {} to convert it: install it".format(
             os.fsdecode(path), name))
     return found
-
-
-# --- Grids --------------------------------------------------------------------------------------------------------
-
-class Grid(Resource):
-    """A grid or bounding volume hierarchy of a scene, in memory: made by Scene.build() or load_grid()."""
-
-    def __init__(self) -> None:
-        raise TypeError("Grid: use Scene.build() or load_grid()")
-
-    @classmethod
-    def _of(cls, create: Any, *arguments: Any, options: Any = None, progress: Progress = None) -> "Grid":
-        grid = cls.__new__(cls)
-        grid._own("grid", create, arguments, library.masu_grid_free, options, progress)
-        return grid
-
-    @classmethod
-    def _read(cls, path: Path) -> "Grid":
-        return cls._of(library.masu_grid_read, path_bytes(path))
-
-    def __reduce__(self) -> Any:
-        return _of_bytes, (type(self), _bytes_of(self))
-
-    @classmethod
-    def _build(cls, scene: Scene, given: "dict[str, Any]") -> "Grid":
-        options = sized(BuildOptionsRecord())
-        check(library.masu_default_build_options(byref(options)))
-        for name, choices in (("structure", STRUCTURES), ("merge", MERGES), ("quality", QUALITIES)):
-            setattr(options, name, choice(name, given[name], choices))
-        division = given["division"]
-        if division is not None:
-            voxels = division if isinstance(division, (tuple, list)) else [division]
-            try:
-                text = division if isinstance(division, str) else "x".join(str(operator.index(n)) for n in voxels)
-            except TypeError:
-                raise TypeError("division: text, one whole number or three are needed, not {!r}".format(division)) from None
-            if "\0" in text:
-                raise ValueError("division: a null character")
-            options.division = text.encode()
-        options.device = device_number(given["device"])
-        for name in ("box_overlap", "cube_space", "for_cpu"):
-            setattr(options, name, int(bool(given[name])))
-        for name, largest in (("target", 2**32 - 1), ("nested", 2**31 - 1), ("expand", 2**31 - 1),
-                              ("threads", 2**31 - 1)):
-            if given[name] is not None:
-                if not 0 <= operator.index(given[name]) <= largest:  # ctypes would keep its low bits
-                    raise ValueError("{}: {} isn't from 0 to {}".format(name, given[name], largest))
-                setattr(options, name, operator.index(given[name]))
-        for name in ("alpha", "step_cost", "detail"):
-            if given[name] is not None:
-                setattr(options, name, float(given[name]))
-        return cls._of(library.masu_grid_build, scene, byref(options), options=options, progress=given["progress"])
-
-    def refit(self, scene: Scene) -> "Grid":
-        """A hierarchy of a scene whose primitives have moved, which has as many as the one this was built from, in their
-        order. Nodes and references are this one's, and their boxes are computed again, in a tenth of a build's time or
-        less. Hits are those through a grid that is built anew. Build with quality="fast" what will move."""
-        return self._of(library.masu_grid_refit, self, scene)
-
-    def write(self, path: Path) -> None:
-        """Writes a grid file, whole or not at all."""
-        call(library.masu_grid_write, self, path_bytes(path))
-
-    def describe(self) -> GridDescription:
-        """Structure and sizes."""
-        told = _told(library.masu_grid_describe, self, record=GridDescriptionRecord())
-        told["structure"], told["merge"] = list(STRUCTURES)[told["structure"]], list(MERGES)[told["merge"]]
-        return GridDescription(**told)
-
-    def __repr__(self) -> str:
-        if self._handle is None:
-            return "<masu.Grid: closed>"
-        about = self.describe()
-        what = "bvh, {} nodes".format(about.nodes) if about.structure == "bvh" else "{}x{}x{} voxels, merge {}".format(
-            *about.division, about.merge)
-        return "<masu.Grid: {}, {} references, {} bytes>".format(what, about.references, about.bytes)
-
-
-def load_grid(path: Path) -> Grid:
-    """Reads a grid file. FileNotFoundError where there is none, masu.Error for what can't be read."""
-    os.stat(path)
-    return Grid._read(path)
-
-
-# --- As bytes of files --------------------------------------------------------------------------------------------
-
-def _bytes_of(one: Union[Scene, Grid]) -> bytes:
-    with memory_file() as (_, path):
-        one.write(path)
-        return pathlib.Path(path).read_bytes()
-
-
-def _of_bytes(kind: Any, contents: bytes) -> Any:
-    with memory_file(contents) as (_, path):
-        return kind._read(path)

@@ -10,9 +10,11 @@ from ctypes import byref, c_int
 from typing import Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Union
 
 from . import _arrays
-from ._library import (CPU, FACES, LOOPS, PRECISIONS, QUALITIES, HitsRecord, Progress, QueryRecord, Resource,
-                       TracerOptionsRecord, TransformsRecord, VerticesRecord, call, choice, device_number, library, sized)
-from ._scene import Grid, Scene
+from ._grid import Grid
+from ._library import Progress, Resource, call, choice, device_number, library
+from ._records import (CPU, FACES, LOOPS, PRECISIONS, QUALITIES, HitsRecord, QueryRecord, TracerOptionsRecord,
+                       TransformsRecord, VerticesRecord, sized)
+from ._scene import Scene
 
 
 class Field(NamedTuple):
