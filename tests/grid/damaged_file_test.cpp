@@ -17,7 +17,7 @@ namespace {
 
 using DamagedFile = RandomTest;
 
-constexpr int cases = 500;
+constexpr int damages = 500;
 
 // Overwrites up to four values, often with limits of some type.
 void damage(Bytes& bytes, std::mt19937_64& random) {
@@ -95,7 +95,7 @@ TEST_F(DamagedFile, ASceneThatOpensCanBeTraced) {
     write_scene(tiny_scene(), store, path);
     const SceneParts parts(path);
     int open = 0;
-    for (int i = 0; i < cases; ++i) {
+    for (int i = 0; i < damages; ++i) {
       damaged(parts, random).write(path);
       const auto scene = opened<SceneFile>(path);
       if (scene == nullptr) continue;
@@ -103,8 +103,8 @@ TEST_F(DamagedFile, ASceneThatOpensCanBeTraced) {
       trace_a_little(*scene, nullptr);
       build_and_trace(*scene, random() % 2 == 0 ? Overlap::box : Overlap::exact, folder.file("grid"));
     }
-    EXPECT_GT(open, cases / 20);
-    EXPECT_LT(open, cases);
+    EXPECT_GT(open, damages / 20);
+    EXPECT_LT(open, damages);
   }
 }
 
@@ -125,7 +125,7 @@ TEST_F(DamagedFile, AGridThatOpensCanBeTraced) {
       write_structure(made, tiny_grid_provenance(scene.geometry_hash()), path);
       const GridParts parts(path);
       int open = 0;
-      for (int i = 0; i < cases; ++i) {
+      for (int i = 0; i < damages; ++i) {
         damaged(parts, random).write(path);
         const auto grid = opened<StructureFile>(path);
         if (grid == nullptr) continue;
@@ -139,8 +139,8 @@ TEST_F(DamagedFile, AGridThatOpensCanBeTraced) {
         }
         trace_a_little(scene, grid.get());
       }
-      EXPECT_GT(open, cases / 50);
-      EXPECT_LT(open, cases);
+      EXPECT_GT(open, damages / 50);
+      EXPECT_LT(open, damages);
     }
   }
 }

@@ -2,9 +2,9 @@
 #include "libscene/file/scene_file.h"
 #include "libscene/mesh/import/import.h"
 #include "libscene/nff/nff.h"
+#include "tests/mesh/mesh_texts.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
-#include "tests/scene/mesh_texts.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // by trying every primitive. And walks go forward, and end.
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
-#include "tests/grid/walk_comparison.h"
+#include "tests/hierarchy/walk_comparison.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 

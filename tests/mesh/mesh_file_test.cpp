@@ -3,9 +3,9 @@
 #include "libscene/base/error.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/mesh/files/mesh_scene.h"
+#include "tests/mesh/mesh_texts.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
-#include "tests/scene/mesh_texts.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
