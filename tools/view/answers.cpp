@@ -39,9 +39,8 @@ public:
   Vec3d vector(const char* name) { return parse_vector(name, text(name)); }
   // Throws Error(usage) where one is left over.
   void end() const {
-    for (const auto& [name, value] : values_) {
+    for (const auto& [name, value] : values_)
       if (!read_.contains(name)) throw Error(ErrorCode::usage, "address", "has an unknown parameter");
-    }
   }
 
 private:
@@ -92,14 +91,6 @@ PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   return request;
 }
 
-HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is_gone) {
-  const PictureRequest request = picture_request(viewer, parameters);
-  parameters.end();
-  Picture made = viewer.picture(request, is_gone);
-  return {200, has_values(request.channel) ? "application/octet-stream" : "image/jpeg", std::move(made.bytes),
-          timing_of(made)};
-}
-
 // Of a walk: that of the picture that its ray was picked in.
 Precision walk_precision(const Viewer& viewer, Parameters& parameters) {
   const std::string* const name = parameters.find("precision");
@@ -109,7 +100,7 @@ Precision walk_precision(const Viewer& viewer, Parameters& parameters) {
   throw Error(ErrorCode::usage, "precision", "isn't fast, robust or double");
 }
 
-HttpReply json(const nlohmann::ordered_json& value) {
+HttpReply json(const Json& value) {
   return {200, "application/json", json_text(value, -1)};
 }
 
@@ -119,26 +110,34 @@ const char* type_of(std::string_view name) {
                                   : "text/javascript; charset=utf-8";
 }
 
-HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
+} // namespace
+
+HttpReply answer(const Viewer& viewer, const HttpRequest& request) {
   Parameters parameters(request.parameters);
   if (const std::string* const files = parameters.find("files"); files != nullptr && *files != viewer.files())
     return {409, "application/json", R"({"error": "other files are shown at this address: reload"})"};
   const auto is = [&](const char* path) { return request.path == path; };
-  if (is("/api/picture")) return picture(viewer, parameters, request.is_gone);
-  if (is("/api/counts")) {
-    const PictureRequest counted = picture_request(viewer, parameters);
-    parameters.end();
-    return json(viewer.counts(counted, request.is_gone));
-  }
-  if (is("/api/ray")) {
+  const IsGone& is_gone = request.is_gone;
+  std::function<HttpReply()> reply; // once all parameters are read
+  if (is("/api/picture")) {
+    reply = [&, wanted = picture_request(viewer, parameters)] {
+      Picture made = viewer.picture(wanted, is_gone);
+      return HttpReply{200, has_values(wanted.channel) ? "application/octet-stream" : "image/jpeg",
+                       std::move(made.bytes), timing_of(made)};
+    };
+  } else if (is("/api/counts")) {
+    reply = [&, wanted = picture_request(viewer, parameters)] {
+      return json(viewer.counts(wanted, is_gone));
+    };
+  } else if (is("/api/ray")) {
     const Camera camera = camera_of(viewer, parameters);
     const auto column = parameters.number<std::int32_t>("x", 0, camera.width - 1);
     const auto row = parameters.number<std::int32_t>("y", 0, camera.height - 1);
-    parameters.end();
-    const auto [ray, precision] = viewer.camera_ray(camera, column, row);
-    return json({{"origin", ray.origin}, {"direction", ray.direction}, {"precision", name_of(precision)}});
-  }
-  if (is("/api/walk")) {
+    reply = [&viewer, camera, column, row] {
+      const auto [ray, precision] = viewer.camera_ray(camera, column, row);
+      return json({{"origin", ray.origin}, {"direction", ray.direction}, {"precision", name_of(precision)}});
+    };
+  } else if (is("/api/walk")) {
     const std::size_t grid = grid_of(viewer, parameters);
     const Vec3d origin = parameters.vector("origin"), direction = parameters.vector("direction");
     WalkRequest walked;
@@ -146,45 +145,33 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
     walked.all_rays = parameters.number<int>("all", 0, 1) == 1;
     walked.rules.depth = parameters.number<int>("depth", 1, largest_depth);
     walked.tracing.precision = walk_precision(viewer, parameters);
-    parameters.end();
-    return json(viewer.walk(grid, walked, request.is_gone));
-  }
-  if (is("/api/slice")) {
-    const std::size_t grid = grid_of(viewer, parameters);
-    const SharePlane plane = plane_of(parameters);
-    parameters.end();
-    return json(viewer.slice(grid, plane, most_slice_cells, request.is_gone));
-  }
-  if (is("/api/boxes")) {
+    reply = [&, grid, walked] { return json(viewer.walk(grid, walked, is_gone)); };
+  } else if (is("/api/slice")) {
+    reply = [&, grid = grid_of(viewer, parameters), plane = plane_of(parameters)] {
+      return json(viewer.slice(grid, plane, most_slice_cells, is_gone));
+    };
+  } else if (is("/api/boxes")) {
     const std::size_t grid = grid_of(viewer, parameters);
     std::optional<std::int32_t> depth; // any
     if (parameters.find("depth") != nullptr)
       depth = parameters.number<std::int32_t>("depth", 0, max_hierarchy_depth);
-    parameters.end();
-    return json(viewer.boxes(grid, depth, most_boxes, request.is_gone));
-  }
-  if (is("/api/statistics")) {
-    const std::size_t grid = grid_of(viewer, parameters);
-    parameters.end();
-    return json(viewer.statistics(grid, request.is_gone));
+    reply = [&, grid, depth] { return json(viewer.boxes(grid, depth, most_boxes, is_gone)); };
+  } else if (is("/api/statistics")) {
+    reply = [&, grid = grid_of(viewer, parameters)] { return json(viewer.statistics(grid, is_gone)); };
+  } else if (is("/api/scene")) {
+    reply = [&viewer] { return json(viewer.description()); };
   }
   parameters.end();
-  if (is("/api/scene")) return json(viewer.description());
+  try {
+    if (reply) return reply();
+  } catch (const Abandoned&) {
+    return {503, "application/json", R"({"error": "too many requests at once"})"};
+  }
   const std::string_view path = request.path,
                          name = path == "/" ? "page.html" : path.substr(path.starts_with('/') ? 1 : 0);
   if (const std::string_view text = page_file(name); !text.empty())
     return {200, type_of(name), std::string(text)};
   return {404, "application/json", R"({"error": "there is no such address"})"};
-}
-
-} // namespace
-
-HttpReply answer(const Viewer& viewer, const HttpRequest& request) {
-  try {
-    return answer_to(viewer, request);
-  } catch (const Abandoned&) {
-    return {503, "application/json", R"({"error": "too many requests at once"})"};
-  }
 }
 
 } // namespace masu

@@ -18,16 +18,12 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t most_slice_cells = 10000;
 constexpr std::array<std::int32_t, 4> exported_divisions{8, 16, 32, 64};
 constexpr std::array pixel_shares{1, 3, 5}; // sixths of a picture's side: where walks are picked
 constexpr double points_per_side = 12;      // of a single slice, between which rays are walked
 
-bool is_gone() {
-  return false;
-}
+constexpr auto is_gone = [] { return false; };
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -135,10 +131,9 @@ Json plane_json(const Viewer& viewer, const std::vector<std::size_t>& grids, con
     }
   }
   std::vector<std::array<std::size_t, 2>> ends;
-  for (std::size_t from = 0; from < points.size(); ++from) {
+  for (std::size_t from = 0; from < points.size(); ++from)
     for (std::size_t to = 0; to < points.size(); ++to)
       if (from / per_side != to / per_side) ends.push_back({from, to});
-  }
   const double near =
       0.001 * (slice["range"][1].get<double>() - slice["range"][0].get<double>()); // of rounded numbers
   std::erase_if(rays, [&](Ray<double> ray) {
@@ -209,8 +204,7 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
       slices.push_back(std::move(slice));
     }
     data["slices"].push_back(std::move(slices));
-    Json boxes = Json::array();
-    boxes.push_back(viewer.boxes(grid, {}, most_boxes, is_gone)); // of any depth, then of each
+    Json boxes = Json::array({viewer.boxes(grid, {}, most_boxes, is_gone)}); // of any depth, then of each
     for (std::int32_t depth = 0; depth <= viewed.greatest_depth; ++depth)
       boxes.push_back(viewer.boxes(grid, depth, most_boxes, is_gone));
     data["boxes"].push_back(std::move(boxes));
@@ -251,11 +245,9 @@ void export_page(const Viewer& viewer, const ExportSettings& settings,
   const std::string data = json_text(data_of(viewer, settings, progress), -1);
   std::string scripts = fmt::format("<script>const EXPORTED = '{}';</script>\n", base64(deflated_text(data)));
   std::string page(page_file("page.html"));
-  for (const auto& [name, text] : page_files) {
-    if (!name.ends_with(".js")) continue;
-    scripts += fmt::format("<script>\n{}</script>\n", text);
-    replace(page, fmt::format("<script defer src=\"{}\">", name), "</script>\n", "");
-  }
+  for (const auto& [name, text] : page_files)
+    if (name.ends_with(".js")) scripts += fmt::format("<script>\n{}</script>\n", text);
+  replace(page, "<script defer", "</script>\n</head>", "</head>");
   // Nothing is loaded from anywhere.
   replace(
       page, "<meta charset", ">",

@@ -142,18 +142,6 @@ std::string cookie(const std::string& header, const std::string& name) {
   return {};
 }
 
-httplib::Headers reply_headers() {
-  return {{"Cache-Control", "no-store"},
-          {"Content-Security-Policy", "default-src 'none'; script-src 'self'; style-src 'self'; connect-src "
-                                      "'self'; img-src 'self' blob: data:; "
-                                      "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
-          {"Cross-Origin-Opener-Policy", "same-origin"},
-          {"Cross-Origin-Resource-Policy", "same-origin"},
-          {"Referrer-Policy", "no-referrer"},
-          {"X-Content-Type-Options", "nosniff"},
-          {"X-Frame-Options", "DENY"}};
-}
-
 } // namespace
 
 bool is_loopback_host(const std::string& host) {
@@ -179,7 +167,16 @@ std::string random_token() {
 HttpServer::HttpServer(const HttpSettings& settings, HttpHandler handler)
     : settings_(settings), handler_(std::move(handler)), port_(settings.port) {
   new_task_queue = [] { return new BoundedPool; };
-  set_default_headers(reply_headers());
+  set_default_headers(
+      {{"Cache-Control", "no-store"},
+       {"Content-Security-Policy", "default-src 'none'; script-src 'self'; style-src 'self'; connect-src "
+                                   "'self'; img-src 'self' blob: data:; "
+                                   "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+       {"Cross-Origin-Opener-Policy", "same-origin"},
+       {"Cross-Origin-Resource-Policy", "same-origin"},
+       {"Referrer-Policy", "no-referrer"},
+       {"X-Content-Type-Options", "nosniff"},
+       {"X-Frame-Options", "DENY"}});
   set_tcp_nodelay(true);
   set_read_timeout(time_for_silence.count());
   set_write_timeout(time_for_reply.count());

@@ -38,7 +38,11 @@ private:
     Turn(Turns& turns, const std::function<bool()>& is_gone) : turns_(turns), is_gone_(is_gone) {
       std::unique_lock lock(turns.mutex_);
       std::deque<const Turn*>& queue = turns.queue_;
-      if (queue.size() >= turns.most_waiting_) turns.drop_those_gone();
+      // A full queue asks those who wait at once, so that many who have hung up don't turn away one who is
+      // there.
+      const auto has_gone = [](const Turn* turn) { return turn->is_gone_(); };
+      if (queue.size() >= turns.most_waiting_)
+        queue.erase(std::remove_if(queue.begin() + 1, queue.end(), has_gone), queue.end());
       if (queue.size() >= turns.most_waiting_) throw Abandoned();
       queue.push_back(this);
       while (queue.front() != this) {
@@ -57,19 +61,10 @@ private:
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;
 
-    bool is_gone() const { return is_gone_(); }
-
   private:
     Turns& turns_;
     const std::function<bool()>& is_gone_;
   };
-
-  // A full queue asks those who wait at once, so that many who have hung up don't turn away one who is there.
-  void drop_those_gone() {
-    queue_.erase(
-        std::remove_if(queue_.begin() + 1, queue_.end(), [](const Turn* turn) { return turn->is_gone(); }),
-        queue_.end());
-  }
 
   std::size_t most_waiting_;
   mutable std::mutex mutex_;

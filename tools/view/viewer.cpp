@@ -26,8 +26,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // A colour map in equal steps, as #rrggbb.
 Json samples_of(const ColorMap& map) {
   constexpr int samples = 33;
@@ -63,7 +61,6 @@ struct PictureRows {
 PictureRows shaded(const ResidentTracer& tracer, FrameRequest request, Picture& picture) {
   request.rgb = true;
   const Frame frame = tracer.render(request);
-  picture.rays = static_cast<std::uint64_t>(frame.columns) * static_cast<std::uint64_t>(frame.rows);
   picture.seconds.trace = frame.seconds.trace;
   picture.seconds.copy = frame.seconds.download;
   const Stopwatch watch;
@@ -80,7 +77,6 @@ PictureRows channel(const ResidentTracer& tracer, const PictureRequest& request,
   const Channels channels = trace_channels(tracer, {{wanted}, frame, request.channel.all_rays});
   picture.seconds.trace = trace.seconds(); // with the copy
   picture.warps = channels.warps;
-  picture.rays = static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
   const Stopwatch watch;
   PictureRows rows{channels.columns, channels.rows};
   if (has_values(request.channel))
@@ -100,7 +96,6 @@ PictureRows cut(const ResidentTracer& tracer, const SlicePlane& plane, const Fra
                 Picture& picture) {
   const RayWindow window = window_of(frame);
   const CameraRays<double> lattice = camera_rays<double>(frame.camera, frame.sampling, false, window);
-  picture.rays = static_cast<std::uint64_t>(window.columns) * static_cast<std::uint64_t>(window.rows);
   std::vector<Ray<double>> rays(picture.rays);
   tbb::parallel_for(0, window.rows, [&](std::int32_t row) {
     for (std::int32_t column = 0; column < window.columns; ++column) {
@@ -185,6 +180,8 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
   frame.tracing.precision = precision_;
   frame.progress = abandoned_when(is_gone);
   Picture picture;
+  const RayWindow window = window_of(frame);
+  picture.rays = static_cast<std::uint64_t>(window.columns) * static_cast<std::uint64_t>(window.rows);
   const Stopwatch wait;
   // What was traced takes more memory than its bytes: it ends with its turn.
   const PictureRows rows = turns_.run(is_gone, [&] {
@@ -254,13 +251,6 @@ Json Viewer::slice(std::size_t grid, const SharePlane& wanted, std::size_t most_
     const SlicePlane plane = plane_of(file, wanted);
     const SliceWindow window = window_of(finest, axis);
     const Vec3d step = voxel_size(finest);
-    Json json{{"axis", axis},
-              {"axes", {u, v}},
-              {"position", plane.position},
-              {"range", {finest.space.min[axis], finest.space.max[axis]}},
-              {"voxels", {finest.division[u], finest.division[v]}},
-              {"min", window.min},
-              {"step", {step[u], step[v]}}};
     constexpr std::uint64_t most_in_layer = 1 << 16; // of which empty cells are listed
     const auto in_layer =
         static_cast<std::uint64_t>(finest.division[u]) * static_cast<std::uint64_t>(finest.division[v]);
@@ -268,13 +258,20 @@ Json Viewer::slice(std::size_t grid, const SharePlane& wanted, std::size_t most_
                                in_layer > std::min<std::uint64_t>(most_cells, most_in_layer);
     constexpr std::size_t most_lines = 200000;
     SliceCellsJson made = slice_cells_json(file, plane, window, most_cells, without_empty);
-    json["cells"] = std::move(made.cells);
-    json["truncated"] = made.is_truncated;
-    json["without_empty"] = without_empty;
-    Json& lines = json["outline"] = Json::array();
+    Json lines = Json::array();
     for (const CutSegment& line : outline_of(scene(), plane, window, 2e-4))
       if (lines.size() < most_lines) lines.push_back({line.from[0], line.from[1], line.to[0], line.to[1]});
-    return json;
+    return Json{{"axis", axis},
+                {"axes", {u, v}},
+                {"position", plane.position},
+                {"range", {finest.space.min[axis], finest.space.max[axis]}},
+                {"voxels", {finest.division[u], finest.division[v]}},
+                {"min", window.min},
+                {"step", {step[u], step[v]}},
+                {"cells", std::move(made.cells)},
+                {"truncated", made.is_truncated},
+                {"without_empty", without_empty},
+                {"outline", std::move(lines)}};
   });
 }
 
@@ -296,10 +293,9 @@ Json Viewer::boxes(std::size_t grid, std::optional<std::int32_t> wanted, std::si
     std::optional<std::int32_t> depth = wanted;
     const std::size_t count = count_of(depth);
     std::size_t fitting = count;
-    if (!depth && file.is_hierarchy()) {
+    if (!depth && file.is_hierarchy())
       for (std::int32_t next = viewed.greatest_depth; fitting > most && next > 0;)
         fitting = count_of(depth = --next);
-    }
     const std::size_t step = std::max<std::size_t>(1, (fitting + most - 1) / most);
     Json boxes = Json::array();
     std::size_t index = 0;

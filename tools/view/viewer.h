@@ -23,11 +23,13 @@
 
 namespace masu {
 
+using Json = nlohmann::ordered_json;
+
 // Lives where it was made: tracers refer to the files.
 struct ViewedGrid : ViewedStructure {
   ResidentTracer tracer;
-  std::int32_t greatest_depth;         // of its cells or boxes
-  nlohmann::ordered_json statistics{}; // null: not made yet
+  std::int32_t greatest_depth; // of its cells or boxes
+  Json statistics{};           // null: not made yet
 
   ViewedGrid(ViewedStructure viewed, const SceneFile& scene, Device device)
       : ViewedStructure(std::move(viewed)), tracer(scene, &file, device),
@@ -69,7 +71,7 @@ struct Picture {
   WarpTurns warps{}; // of the channel idle
 };
 
-nlohmann::ordered_json camera_json(const Camera& camera);
+Json camera_json(const Camera& camera);
 
 // As a header Server-Timing: stages in milliseconds, `precision`, `rays`, and of idle lanes `turns` and
 // `busy_lanes`.
@@ -93,7 +95,7 @@ public:
   // Throw Abandoned when is_gone() before they have ended, and Error.
   Picture picture(const PictureRequest& request, const IsGone& is_gone) const;
   // Ray counts of a picture, as gridrender --stats has them.
-  nlohmann::ordered_json counts(const PictureRequest& request, const IsGone& is_gone) const;
+  Json counts(const PictureRequest& request, const IsGone& is_gone) const;
 
   // Through a pixel's centre, in the world, and what the picture is traced with.
   struct PickedRay {
@@ -104,22 +106,21 @@ public:
   // As gridtrace --ray --json has it, and in `ended` why each ray's walk ended, in words. Bounded:
   // `more_rays` are counted that aren't among `rays`, `ended_early` says that there are still more. A ray's
   // `steps` are the first of its `cells`. The request's limits and progress are the viewer's.
-  nlohmann::ordered_json walk(std::size_t grid, WalkRequest request, const IsGone& is_gone) const;
+  Json walk(std::size_t grid, WalkRequest request, const IsGone& is_gone) const;
   // {axis, axes, position, range, voxels, min, step, cells, outline, truncated, without_empty}: cells as
   // slice_cells_json() has them, those of a uniform grid without the empty ones where these are too many;
   // outline as [from u, from v, to u, to v] in scene units. Beyond `most_cells` the slice is truncated.
-  nlohmann::ordered_json slice(std::size_t grid, const SharePlane& plane, std::size_t most_cells,
-                               const IsGone& is_gone) const;
+  Json slice(std::size_t grid, const SharePlane& plane, std::size_t most_cells, const IsGone& is_gone) const;
   // {boxes: [{min, max, depth}, …], count, depth}: those that list references, of any depth or
   // down to one; there a hierarchy's boxes around nodes, too, so that they cover what all do. Where there are
   // more than `most`, of any depth those down to the deepest that fits, or each n-th of `count`.
-  nlohmann::ordered_json boxes(std::size_t grid, std::optional<std::int32_t> depth, std::size_t most,
-                               const IsGone& is_gone) const;
+  Json boxes(std::size_t grid, std::optional<std::int32_t> depth, std::size_t most,
+             const IsGone& is_gone) const;
 
   // The scene, its camera, its grids by name, and the divisions that there are besides.
-  nlohmann::ordered_json description() const;
+  Json description() const;
   // gridstat --json --histogram of a grid. Made once.
-  nlohmann::ordered_json statistics(std::size_t grid, const IsGone& is_gone) const;
+  Json statistics(std::size_t grid, const IsGone& is_gone) const;
 
 private:
   ViewedGrid* viewed(std::size_t index, const IsGone& is_gone) const;
