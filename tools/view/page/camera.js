@@ -44,13 +44,12 @@ const Camera = {
   // Around `at`, in radians: to the right as seen from above, and up. Never over the poles.
   orbited(camera, right, up) {
     const axis = Vec.normalized(camera.up);
-    let offset = Vec.rotated(Vec.sub(camera.from, camera.at), axis, right);
+    const offset = Vec.rotated(Vec.sub(camera.from, camera.at), axis, right);
     const elevation = Math.asin(Math.max(-1, Math.min(1, Vec.dot(Vec.normalized(offset), axis))));
     const limit = Math.PI / 2 - 0.01;
     const turn = Math.max(-limit, Math.min(limit, elevation + up)) - elevation;
     const side = Vec.normalized(Vec.cross(axis, offset));
-    offset = Vec.rotated(offset, side, -turn);
-    return {...camera, from: Vec.add(camera.at, offset)};
+    return {...camera, from: Vec.add(camera.at, Vec.rotated(offset, side, -turn))};
   },
 
   // By shares of the picture's height.
@@ -65,22 +64,19 @@ const Camera = {
   zoomed(camera, factor) {
     const offset = Vec.scaled(Vec.sub(camera.from, camera.at), factor);
     const distance = Vec.length(offset);
-    if (!(distance > 1e-9 && distance < 1e9)) return camera;
-    return {...camera, from: Vec.add(camera.at, offset)};
+    return distance > 1e-9 && distance < 1e9 ? {...camera, from: Vec.add(camera.at, offset)} : camera;
   },
 
   // Orbits around `point` from now on.
   centered(camera, point) {
-    const axes = Camera.axes(camera);
-    const depth = Vec.dot(Vec.sub(point, camera.from), axes.forward);
+    const depth = Vec.dot(Vec.sub(point, camera.from), Camera.axes(camera).forward);
     return depth > 0 ? {...camera, at: point} : camera;
   },
 
   // A function from points to [x, y, depth]: pixels from the top left, depth along the line of sight.
   projection(camera, width, height) {
     const axes = Camera.axes(camera);
-    const reach = Math.tan(camera.angle * Math.PI / 360);
-    const toPixels = height / 2 / reach;
+    const toPixels = height / 2 / Math.tan(camera.angle * Math.PI / 360);
     return (point) => {
       const offset = Vec.sub(point, camera.from);
       const depth = Vec.dot(offset, axes.forward);

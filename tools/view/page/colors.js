@@ -6,8 +6,7 @@ class ColorScale {
   constructor(samples) { this.samples = samples; }
   // position: 0 to 1.
   at(position) {
-    const last = this.samples.length - 1;
-    return this.samples[Math.round(last * Math.max(0, Math.min(1, position)))];
+    return this.samples[Math.round((this.samples.length - 1) * Math.max(0, Math.min(1, position)))];
   }
   // A colour of many as the four bytes of a canvas.
   bytes(count) {

@@ -14,11 +14,8 @@ class Exported {
   static async from(text) { return new Exported(JSON.parse(new TextDecoder().decode(await inflated(blobOf(text))))); }
 
   constructor(data) {
-    this.data = data;
-    this.isLive = false;
-    this.opensWith = data.opens_with;
-    this.size = data.size;
-    this.step = 2 * Math.PI / data.views.length; // from view to view, in radians
+    const step = 2 * Math.PI / data.views.length; // from view to view, in radians
+    Object.assign(this, {data, isLive: false, opensWith: data.opens_with, size: data.size, step});
   }
 
   async scene() { return withDivisions(this.data.scene, false); }
@@ -42,10 +39,8 @@ class Exported {
 
   // The nearest pixel whose walk was exported, as shares of the picture.
   pixel(shareX, shareY) {
-    return [shareX, shareY].map((share, axis) => {
-      const middles = this.data.pixels[axis].map((at) => (at + 0.5) / this.size[axis]);
-      return nearestTo(middles, share);
-    });
+    return [shareX, shareY].map((share, axis) =>
+      nearestTo(this.data.pixels[axis].map((at) => (at + 0.5) / this.size[axis]), share));
   }
   async ray({camera}, x, y) {
     const [columns, rows] = this.data.pixels;

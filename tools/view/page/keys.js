@@ -23,18 +23,16 @@ function keyOfPicture(pane, event) {
 
 // What keys change, in words.
 const after = (all, one) => all[(all.indexOf(one) + 1) % all.length];
+function setNext(pane, name, all) {
+  pane.set({[name]: after(all, pane.settings[name])});
+  return pane.settings[name];
+}
 const NEXT = {
-  c(pane) {
-    pane.set({channel: after(state.scene.channels, pane.settings.channel)});
-    return `channel ${pane.settings.channel}`;
-  },
+  c: (pane) => `channel ${setNext(pane, 'channel', state.scene.channels)}`,
+  w: (pane) => `cells: ${setNext(pane, 'cells', CELLS)}`,
   g(pane) {
     pane.set({grid: pane.division.next(pane.settings.grid)});
     return `grid ${pane.structure.name}`;
-  },
-  w(pane) {
-    pane.set({cells: after(CELLS, pane.settings.cells)});
-    return `cells: ${pane.settings.cells}`;
   },
   l() {
     setScale(after(['automatic', 'linear', 'logarithmic'], scales.kind));
@@ -58,11 +56,9 @@ function keyOfPicking(pane, event) {
     const clamped = (value) => Math.max(0, Math.min(0.99999, value));
     state.picking = {pane: pane.index, x: clamped(x + dx * pixels / width), y: clamped(y - dy * pixels / height)};
     drawOverlays();
-  } else if (event.key === 'Enter') {
+  } else if (event.key === 'Enter' || event.key === 'Escape') {
     setPicking(null);
-    pick(pane, x, y);
-  } else if (event.key === 'Escape') {
-    setPicking(null);
+    if (event.key === 'Enter') pick(pane, x, y);
   } else {
     return false;
   }

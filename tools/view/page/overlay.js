@@ -11,8 +11,7 @@ function addLines(path, points) {
 
 class Overlay {
   constructor(canvas) {
-    this.canvas = canvas;
-    this.context = canvas.getContext('2d');
+    Object.assign(this, {canvas, context: canvas.getContext('2d')});
   }
 
   // camera, width and height: of the picture that is shown.

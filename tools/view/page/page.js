@@ -210,9 +210,7 @@ async function copy(text, what) {
   }
 }
 
-function quoted(word) {
-  return /^[\w@%+=:,.\/-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
-}
+const quoted = (word) => (/^[\w@%+=:,.\/-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`);
 
 // The commands that make the pictures; of a channel its values, and gridrender's own picture of them; of a cut the slice.
 // Before them what writes the files that were made in memory.
@@ -231,13 +229,6 @@ function commandOf(pane, suffix) {
       ...(pane.settings.channel.startsWith('all ') ? ['--all-rays'] : []), '--no-picture', '--sampling centers']),
     ...(state.depth === 5 ? [] : [`--depth ${state.depth}`]),
     ...(precision === 'auto' ? [] : [`--precision ${precision}`])].join(' ');
-}
-
-function describeScene() {
-  const {scene, device, version} = state.scene;
-  document.title = `${scene.name} – gridview`;
-  $('scene-name').textContent = scene.name;
-  $('scene-facts').textContent = `${Text.count(scene.primitives)} primitives · ${Text.bytes(scene.bytes)} · ${device} · Masu ${version}`;
 }
 
 function openAddress() {
@@ -270,7 +261,10 @@ async function begin() {
   colors = new ColorScale(state.scene.colors);
   listColors = new ColorScale(state.scene.list_colors).reversed(); // light is few
   scales = new Scales(colors);
-  describeScene();
+  const {scene, device, version} = state.scene;
+  document.title = `${scene.name} – gridview`;
+  $('scene-name').textContent = scene.name;
+  $('scene-facts').textContent = `${Text.count(scene.primitives)} primitives · ${Text.bytes(scene.bytes)} · ${device} · Masu ${version}`;
   slicePanel = new SlicePanel($('slice'), source, state.slice, () => panes.filter((pane) => pane.isCut).forEach((pane) => pane.update()), drawOverlays);
   walkPanel = new WalkPanel($('walk'), source, state, () => planeView && drawOverlays(), (point) => setCamera(Camera.centered(state.camera, point)));
   planeView = new PlaneView($('planes'), state.scene, source, listColors, slicePanel, walkPanel, (index, grid) => {
@@ -282,14 +276,12 @@ async function begin() {
   openAddress();
   $('guess').addEventListener('change', () => setGuess($('guess').checked));
   for (const name of ['cost-a', 'cost-b']) $(name).addEventListener('input', changeCost);
-  $('skip').addEventListener('click', focusView);
   $('view-panel').addEventListener('change', changeView);
-  $('compare').addEventListener('click', toggleCompare);
-  $('plane').addEventListener('click', togglePlane);
-  $('reset').addEventListener('click', () => setCamera(ownCamera(state.scene)));
-  $('keys').addEventListener('click', toggleKeys);
-  $('copy-link').addEventListener('click', () => copy(location.href.split('#')[0] + fragment(), 'Link'));
-  $('copy-command').addEventListener('click', () => copy(command(), panes.length > 1 ? 'Commands' : 'Command'));
+  const buttons = {skip: focusView, compare: toggleCompare, plane: togglePlane, keys: toggleKeys,
+    reset: () => setCamera(ownCamera(state.scene)),
+    'copy-link': () => copy(location.href.split('#')[0] + fragment(), 'Link'),
+    'copy-command': () => copy(command(), panes.length > 1 ? 'Commands' : 'Command')};
+  for (const [id, press] of Object.entries(buttons)) $(id).addEventListener('click', press);
   document.addEventListener('keydown', keyOfPage);
   window.addEventListener('hashchange', openAddress);
 }

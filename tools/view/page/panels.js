@@ -1,13 +1,14 @@
 // The panels beside the picture: costs, statistics, histogram, slice, walk.
 'use strict';
 
-// element('td', {class: 'x', onclick: f}, 'text', child…)
+// element('td', {class: 'x', style: {color: 'red'}, onclick: f}, 'text', child…)
 function element(name, attributes = {}, ...children) {
   const isDrawing = ['svg', 'rect', 'line', 'text', 'g', 'title', 'path'].includes(name);
   const made = isDrawing ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;
     if (typeof value === 'function') made.addEventListener(key.slice(2), value);
+    else if (key === 'style') Object.entries(value).forEach((part) => made.style.setProperty(...part));
     else made.setAttribute(key, value === true && !key.startsWith('aria-') ? '' : value);
   }
   made.append(...children.filter((child) => child !== null && child !== undefined));
@@ -17,10 +18,8 @@ function element(name, attributes = {}, ...children) {
 // --- Numbers as text -----------------------------------------------------------------------------------------
 
 const Text = {
-  count(value) {
-    if (value === null || value === undefined) return '–';
-    return Math.round(value).toLocaleString('en-US').replaceAll(',', '\u2009');
-  },
+  count: (value) => (value === null || value === undefined ? '–'
+    : Math.round(value).toLocaleString('en-US').replaceAll(',', '\u2009')),
   // Three or four digits.
   number(value) {
     if (value === null || value === undefined || !Number.isFinite(value)) return '–';
@@ -151,16 +150,15 @@ function costTable(shown, cost) {
 function statisticsTable(names, all) {
   const of = (get) => column(all, get);
   const count = {text: Text.count}, number = {text: Text.number};
+  // Of figures that are called as they are shown.
+  const rows = (called, figures, how) => called.map((name) => [name, of((s) => figures(s)[name.replace(' ', '_')]), how]);
   return table(names, [
     ['structure', of((s) => s.structure || (s.merge === 'none' ? 'uniform' : s.merge)), {}],
     ['division', of((s) => Text.division(s.division)), {}],
     ['smallest voxels', of((s) => s.smallest_division[0] > s.division[0] ? `${Text.count(s.smallest_division[0] / s.division[0])} × finer` : null), {}],
     ['overlap test', of((s) => s.overlap), {}],
     ['occupied voxels', of((s) => s.occupancy_percent), {text: Text.percent}],
-    ['cells', of((s) => s.cells), count],
-    ['occupied cells', of((s) => s.occupied_cells), count],
-    ['expanded cells', of((s) => s.expanded_cells), count],
-    ['nodes', of((s) => s.nodes), count],
+    ...rows(['cells', 'occupied cells', 'expanded cells', 'nodes'], (s) => s, count),
     ['deepest node', of((s) => s.depth - 1 >= 0 ? s.depth - 1 : null), count],
     ['boxes per node', of((s) => s.boxes_a_node), number],
     ['boxes of nodes', of((s) => s.node_boxes), count],
@@ -173,16 +171,11 @@ function statisticsTable(names, all) {
     ['99 %', of((s) => s.references_per_occupied_cell.p99), count],
     ['most', of((s) => Math.max(...s.histogram.map(([references]) => references))), count],
     ['Expected for a random line'],
-    ['cells', of((s) => s.expected_per_ray.cells), {text: Text.number, less: 'fewer'}],
-    ['nodes', of((s) => s.expected_per_ray.nodes), {text: Text.number, less: 'fewer'}],
-    ['tests', of((s) => s.expected_per_ray.tests), {text: Text.number, less: 'fewer'}],
-    ['voxels skipped', of((s) => s.expected_per_ray.voxels_skipped), number],
+    ...rows(['cells', 'nodes', 'tests'], (s) => s.expected_per_ray, {...number, less: 'fewer'}),
+    ...rows(['voxels skipped'], (s) => s.expected_per_ray, number),
     ['Memory'],
     ['file', of((s) => s.bytes.file), {text: Text.bytes, less: 'smaller'}],
-    ['voxel map', of((s) => s.bytes.voxel_map), {text: Text.bytes}],
-    ['cells', of((s) => s.bytes.cells), {text: Text.bytes}],
-    ['nodes', of((s) => s.bytes.nodes), {text: Text.bytes}],
-    ['references', of((s) => s.bytes.references), {text: Text.bytes}],
+    ...rows(['voxel map', 'cells', 'nodes', 'references'], (s) => s.bytes, {text: Text.bytes}),
     ['map loads per point', of((s) => s.map.mean_loads), number],
     ['build', of((s) => s.build_seconds), {text: Text.seconds}],
   ], 'Statistics of the grids');
@@ -197,19 +190,14 @@ function binned(histogram) {
     const bin = references <= 4 ? references - 1 : Math.floor(4 * Math.log2(references)) - 4;
     bins.set(bin, (bins.get(bin) || 0) + cells);
   }
-  return bins;
+  const sum = [...bins.values()].reduce((a, b) => a + b, 0) || 1;
+  return new Map([...bins].map(([bin, cells]) => [bin, {share: cells / sum, cells}]));
 }
-function binBegin(bin) {
-  return bin < 4 ? bin + 1 : Math.ceil(2 ** ((bin + 4) / 4));
-}
+const binBegin = (bin) => (bin < 4 ? bin + 1 : Math.ceil(2 ** ((bin + 4) / 4)));
 
 // Shares of the occupied cells or boxes, for up to four grids.
 function histogramChart(names, all) {
-  const shares = all.map((s) => {
-    const bins = binned(s.histogram);
-    const sum = [...bins.values()].reduce((a, b) => a + b, 0) || 1;
-    return new Map([...bins].map(([bin, cells]) => [bin, {share: cells / sum, cells}]));
-  });
+  const shares = all.map((s) => binned(s.histogram));
   const last = Math.max(4, ...shares.flatMap((bins) => [...bins.keys()]));
   const most = Math.max(1e-9, ...shares.flatMap((bins) => [...bins.values()].map((value) => value.share)));
   const width = 350, height = 130, left = 40, bottom = 16;

@@ -47,8 +47,8 @@ class Pane {
   size() {
     if (!source.isLive) return source.size;
     const ratio = window.devicePixelRatio || 1;
-    let width = Math.max(16, Math.round(this.stage.clientWidth * ratio));
-    let height = Math.max(16, Math.round(this.stage.clientHeight * ratio));
+    const width = Math.max(16, Math.round(this.stage.clientWidth * ratio));
+    const height = Math.max(16, Math.round(this.stage.clientHeight * ratio));
     const scale = Math.min(1, Math.sqrt(4e6 / (width * height)));
     return [Math.round(width * scale), Math.round(height * scale)];
   }
@@ -89,7 +89,8 @@ class Pane {
     if (frame.isMoving || frame.isSharp) {
       const span = values && spanOf(values.channel, values.data);
       this.span = span && {channel: values.channel, ...span};
-      if (span) fitScale(values.channel);
+      const spans = panes.map((pane) => pane.span).filter((one) => one && one.channel === values?.channel);
+      if (span && scales.fit(values.channel, spans)) recolor();
     }
     this.showScale();
     this.showValue();
@@ -227,10 +228,6 @@ function showPanes() {
   if (!state.plane) $('slice').prepend(slicePanel.place, slicePanel.depths);
 }
 
-function fitScale(channel) {
-  const spans = panes.map((pane) => pane.span).filter((span) => span && span.channel === channel);
-  if (scales.fit(channel, spans)) recolor();
-}
 function recolor() {
   for (const pane of panes) {
     pane.picture.recolor();

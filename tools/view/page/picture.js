@@ -11,46 +11,44 @@ class Picture {
   // after each change with {view, isMoving, isSharp, share, milliseconds, rays}; failed(text), or '' when all is well again.
   constructor(canvas, source, colored, drawn, failed) {
     Object.assign(this, {canvas, source, colored, drawn, failed, context: canvas.getContext('2d', {alpha: false}), view: null, movedAt: 0,
-      isRunning: false, isClosed: false, abort: null, wake: () => {}});
+      isClosed: false, abort: null, wake: () => {}});
     this.values = null; // {channel, width, height, data} of the whole picture, where it is one of numbers
-    this.version = 0;   // of the view
     Object.assign(this, {msPerPixel: 2e-4, stillMsPerPixel: 4e-4}); // of moving pictures, a running mean; of the last sharp one
   }
 
   // view: {grid, channel, camera, width, height, depth}. False where it is shown already, or on its way.
   show(view) {
     if (JSON.stringify(view) === JSON.stringify(this.view)) return false;
+    const isFirst = !this.view;
     this.view = view;
-    this.version += 1;
     this.movedAt = performance.now();
-    if (this.abort) this.abort.abort();
+    this.abort?.abort();
     this.wake();
-    if (!this.isRunning) this.run();
+    if (isFirst) this.run();
     return true;
   }
 
   close() {
     this.isClosed = true;
-    if (this.abort) this.abort.abort();
+    this.abort?.abort();
     this.wake();
   }
 
   async run() {
-    this.isRunning = true;
-    let coarse = -1, sharp = -1; // versions that were drawn
+    let coarse = null, sharp = null; // views that were drawn
     let failures = 0;
     while (!this.isClosed) {
-      const version = this.version;
+      const {view} = this;
       try {
         if (document.hidden) {
           await this.sleep(1000); // nobody looks
-        } else if (coarse !== version) {
-          await this.drawMoving(this.view);
-          coarse = version;
-        } else if (sharp !== version) {
+        } else if (coarse !== view) {
+          await this.drawMoving(view);
+          coarse = view;
+        } else if (sharp !== view) {
           const left = this.movedAt + STILL_MS - performance.now();
           if (left > 0) await this.sleep(left);
-          else if (await this.drawSharp(this.view, version)) sharp = version;
+          else if (await this.drawSharp(view)) sharp = view;
         } else {
           await this.sleep(1e6);
         }
@@ -63,7 +61,6 @@ class Picture {
         await this.sleep(Math.min(5000, 500 * failures));
       }
     }
-    this.isRunning = false;
   }
 
   // Until the time is over or the view moves.
@@ -109,7 +106,7 @@ class Picture {
   }
 
   // False where the view has moved meanwhile.
-  async drawSharp(view, version) {
+  async drawSharp(view) {
     const pixels = view.width * view.height;
     const estimate = pixels * this.stillMsPerPixel;
     const bands = !this.source.isLive ? 1 : Math.max(1, Math.min(Math.ceil(estimate / BAND_MS), Math.ceil(view.height / 16)));
@@ -130,7 +127,7 @@ class Picture {
       const height = Math.min(rows, view.height - y), coming = next;
       next = asked(y + rows);
       const got = await coming;
-      if (this.version !== version || this.isClosed) return false;
+      if (this.view !== view || this.isClosed) return false;
       this.fit(view);
       this.context.drawImage(got.image || this.colored(view.channel, got.values, view.width, height), 0, y, view.width, height);
       if (got.image?.close) got.image.close();

@@ -35,11 +35,8 @@ class SlicePlot {
     this.canvas = element('canvas', {class: 'slice', tabindex: 0, role: 'application', 'aria-roledescription': 'slice'});
     this.counts = element('p', {class: 'walk-counts', hidden: true});
     this.costText = element('span');
-    this.costBar = element('span', {class: 'cost-bar', 'aria-hidden': true}, ...[colors.at(0.6), VISITED].map((color) => {
-      const part = element('span');
-      part.style.background = color;
-      return part;
-    }));
+    this.costBar = element('span', {class: 'cost-bar', 'aria-hidden': true},
+      ...[colors.at(0.6), VISITED].map((color) => element('span', {style: {background: color}})));
     this.cost = element('div', {class: 'row walk-cost unused'}, this.costText, this.costBar);
     this.sentence = element('p', {class: 'walk-sentence', hidden: true});
     this.root = element('figure', {class: 'picture'},
@@ -86,14 +83,18 @@ class SlicePlot {
       }
       if (right - left > 3 && bottom - top > 3) lines.rect(left, top, right - left, bottom - top);
     }
-    context.strokeStyle = 'rgba(0, 0, 0, 0.35)';
-    context.lineWidth = 0.7 * this.pixel;
-    context.stroke(lines);
+    this.stroke(context, lines, 'rgba(0, 0, 0, 0.35)', 0.7);
     const outline = new Path2D();
     for (const [u0, v0, u1, v1] of slice.outline) addLines(outline, [[at.x(u0), at.y(v0)], [at.x(u1), at.y(v1)]]);
-    context.strokeStyle = OUTLINE;
-    context.lineWidth = 1.4 * this.pixel;
-    context.stroke(outline);
+    this.stroke(context, outline, OUTLINE, 1.4);
+  }
+
+  stroke(context, path, style, width, dash = []) {
+    context.strokeStyle = style;
+    context.lineWidth = width * this.pixel;
+    context.setLineDash(dash);
+    context.stroke(path);
+    context.setLineDash([]);
   }
 
   // ends: {from, to} in the plane; ray: its walk, or null; step: the last one that is drawn.
@@ -105,13 +106,7 @@ class SlicePlot {
     const [i, j] = slice.axes;
     const rectangle = ({min, max}) => [at.x(min[i]), at.y(max[j]), (max[i] - min[i]) * at.scale, (max[j] - min[j]) * at.scale];
     const pathOf = (boxes) => boxes.reduce((path, box) => (path.rect(...rectangle(box)), path), new Path2D());
-    const stroke = (path, style, width, dash = []) => {
-      context.strokeStyle = style;
-      context.lineWidth = width * pixel;
-      context.setLineDash(dash);
-      context.stroke(path);
-      context.setLineDash([]);
-    };
+    const stroke = (...how) => this.stroke(context, ...how);
     const segment = (...points) => addLines(new Path2D(), points.map(([u, v]) => [at.x(u), at.y(v)]));
     if (ray) {
       const visited = ray.steps.slice(0, step + 1).map(({box}) => box);
@@ -181,9 +176,7 @@ class SlicePlot {
   mark(context, path, color) {
     context.fillStyle = color;
     context.fill(path);
-    context.strokeStyle = '#fff';
-    context.lineWidth = 2 * this.pixel;
-    context.stroke(path);
+    this.stroke(context, path, '#fff', 2);
   }
 
   dot(context, x, y, radius, color) {
@@ -208,8 +201,6 @@ class PlaneView {
     this.step = element('input', {class: 'step', type: 'range', min: 0, 'aria-label': 'Step of the walks',
       oninput: () => walkPanel.select(Number(this.step.value))});
     this.stepText = element('output', {'aria-live': 'off'}); // the walk's panel says it
-    this.scaleColors = element('span', {class: 'colors', 'aria-hidden': true});
-    this.scaleColors.style.backgroundImage = this.colors.gradient();
     this.most = element('span');
     this.places = element('div', {class: 'controls places'});
     this.list = element('div', {class: 'plots'});
@@ -218,12 +209,10 @@ class PlaneView {
         element('button', {type: 'button', title: 'Every walk a step back (,)', onclick: () => walkPanel.move(-1)}, '◂'),
         element('button', {type: 'button', title: 'Every walk a step on (.)', onclick: () => walkPanel.move(1)}, '▸'), walkPanel.plays[1],
         this.step, this.stepText),
-      element('div', {class: 'slice-scale'}, 'references 1', this.scaleColors, this.most),
-      element('div', {class: 'legend'}, ...LEGEND.map(([name, color]) => {
-        const item = element('span', {}, name);
-        item.style.setProperty('--swatch', color);
-        return item;
-      }))), this.list);
+      element('div', {class: 'slice-scale'}, 'references 1',
+        element('span', {class: 'colors', 'aria-hidden': true, style: {background: colors.gradient()}}), this.most),
+      element('div', {class: 'legend'},
+        ...LEGEND.map(([name, color]) => element('span', {style: {'--swatch': color}}, name)))), this.list);
     this.resized = new ResizeObserver(() => this.draw());
   }
 
@@ -279,13 +268,8 @@ class PlaneView {
     this.draw();
     if (isFollowing) return;
     while (this.wish && this.slice) {
-      const {slice, wish} = this, origin = [0, 0, 0], direction = [0, 0, 0];
-      origin[slice.axis] = slice.position;
-      slice.axes.forEach((axis, k) => {
-        origin[axis] = wish.from[k];
-        direction[axis] = wish.to[k] - wish.from[k];
-      });
-      await this.walkPanel.follow({origin, direction, all: false, depth: 5}, {pane: Math.min(this.walkPanel.pane, this.grids.length - 1)});
+      const {slice, wish} = this, [origin, end] = [wish.from, wish.to].map(([u, v]) => slicePoint(slice, u, v));
+      await this.walkPanel.follow({origin, direction: Vec.sub(end, origin), all: false, depth: 5}, {pane: Math.min(this.walkPanel.pane, this.grids.length - 1)});
       if (this.wish === wish) this.wish = null;
     }
     this.wish = null;
@@ -297,7 +281,7 @@ class PlaneView {
     const {slice} = this;
     if (!slice) return;
     if (!this.ends || this.slicePanel.isCurrent) this.fitRay(); // a link's ray isn't in the slice of before
-    const {slicePanel, walkPanel} = this;
+    const {slicePanel, walkPanel} = this, {cost} = walkPanel.settings;
     const most = slicePanel.most();
     this.most.textContent = Text.count(most);
     const rays = this.grids.map((grid) => walkPanel.rayOf(grid));
@@ -310,7 +294,7 @@ class PlaneView {
     this.stepText.textContent = walkPanel.isAsking ? '' : `step ${Math.min(step, last) + 1} of ${last + 1}`;
     this.step.setAttribute('aria-valuetext', this.stepText.textContent);
     const costs = shown.map((ray, i) => ray && this.costUntil(ray, step, this.scene.grids[this.grids[i]]));
-    const highest = Math.max(...shown.map((ray, i) => ray ? costOf(this.costs, this.scene.grids[this.grids[i]], ray.cells, ray.tests) : 0));
+    const highest = Math.max(...shown.map((ray, i) => ray ? costOf(cost, this.scene.grids[this.grids[i]], ray.cells, ray.tests) : 0));
     this.plots.forEach((plot, i) => {
       const grid = this.grids[i], own = slicePanel.of(grid), ray = shown[i];
       plot.division.show(grid);
@@ -323,15 +307,13 @@ class PlaneView {
       const facts = sliceFacts(own, cells, this.scene.grids[grid]);
       if (!plot.under) plot.facts.textContent = facts;
       plot.counts.hidden = !ray;
-      plot.showCost(costs[i], this.costs, highest);
+      plot.showCost(costs[i], cost, highest);
       plot.sentence.textContent = walkPanel.sentenceOf(grid);
       plot.sentence.hidden = !plot.sentence.textContent;
       plot.counts.textContent = ray ? this.progress(ray, step, last, visited(this.scene.grids[grid])) + walkPanel.guessOf(grid) : '';
       plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${ray ? `${plot.counts.textContent}. ${plot.costText.textContent}. ` : ''}Arrow keys move the ray’s end, with Shift its origin${walkPanel.isAsking ? ', Enter leads to the guess' : ''}.`);
     });
   }
-
-  get costs() { return this.walkPanel.settings.cost; }
 
   // {tests, steps} of a ray up to a step.
   costUntil(ray, step, grid) {

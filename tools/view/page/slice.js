@@ -2,13 +2,8 @@
 'use strict';
 
 // As points of the scene: corners of a slice's rectangles.
-function slicePoint(slice, u, v) {
-  const point = [0, 0, 0];
-  point[slice.axis] = slice.position;
-  point[slice.axes[0]] = u;
-  point[slice.axes[1]] = v;
-  return point;
-}
+const slicePoint = ({axis, axes, position}, u, v) =>
+  [0, 1, 2].map((one) => (one === axis ? position : one === axes[0] ? u : v));
 // A cell's or box's rectangle, as a box without thickness.
 const sliceBox = (slice, [u0, v0, u1, v1]) => ({min: slicePoint(slice, sliceU(slice, u0), sliceV(slice, v0)), max: slicePoint(slice, sliceU(slice, u1), sliceV(slice, v1))});
 const sliceSides = ({voxels, step}) => [voxels[0] * step[0], voxels[1] * step[1]];
@@ -23,10 +18,9 @@ class SlicePanel {
       ...['x', 'y', 'z'].map((name, i) => element('option', {value: i}, name)));
     this.slider = element('input', {type: 'range', min: 0, max: 1, step: 0.0025, 'aria-label': 'Position of the slice',
       oninput: () => this.set({share: Number(this.slider.value)})});
-    this.depth = element('input', {class: 'depth', type: 'range', min: -1, step: 1, oninput: () => {
-      const depth = Number(this.depth.value);
-      this.set({depth: depth < 0 ? null : depth});
-    }});
+    this.depth = element('input', {class: 'depth', type: 'range', min: -1, step: 1,
+      'aria-label': 'Depth of cells and boxes; the least: all',
+      oninput: () => this.set({depth: this.depth.value < 0 ? null : Number(this.depth.value)})});
     this.depthText = element('output', {});
     this.depths = element('label', {class: 'controls'}, 'Depth', this.depth, this.depthText);
     this.position = element('output', {});
@@ -71,7 +65,6 @@ class SlicePanel {
     this.depth.max = Math.max(...this.structures.map((one) => one.greatest_depth));
     this.depth.value = this.settings.depth ?? -1;
     this.depthText.textContent = this.settings.depth ?? 'all';
-    this.depth.setAttribute('aria-label', 'Depth of cells and boxes; the least: all');
     this.depth.setAttribute('aria-valuetext', this.depthText.textContent);
     this.place.hidden = !this.hasSlices;
     this.depths.hidden = !(this.depth.max > 0 && (this.hasSlices || this.hasBoxes));

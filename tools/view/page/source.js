@@ -3,10 +3,8 @@
 
 // Reads `trace;dur=1.5, rays;desc=300, precision;desc="robust"` as {trace: 1.5, rays: 300, precision: 'robust'}.
 function readTiming(header) {
-  const values = {};
-  for (const [, name, text, number] of (header || '').matchAll(/(\w+);\w+=(?:"([^"]*)"|([^,]*))/g))
-    values[name] = text === undefined ? Number(number) : text;
-  return values;
+  const values = (header || '').matchAll(/(\w+);\w+=(?:"([^"]*)"|([^,]*))/g);
+  return Object.fromEntries(Array.from(values, ([, name, text, number]) => [name, text ?? Number(number)]));
 }
 
 // What the server or an export compressed. Of a picture's numbers: float32, rows from the top.

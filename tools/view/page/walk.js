@@ -200,12 +200,12 @@ class WalkPanel {
       ['tests', shown.map((one) => one && one.tests), {text: Text.count, less: 'fewer'}],
       ['cost', shown.map((one, i) => one && costOf(this.settings.cost, this.structures[i], one.cells, one.tests)), {text: Text.cost, less: 'less', title: COST_TITLE}],
     ], 'What the ray costs in each grid');
-    const panes = this.grids.length < 2 ? null : element('label', {}, 'List of ', element('select', {class: 'walk-pane',
-      onchange: (event) => this.look({pane: Number(event.target.value)})},
-      ...this.names.map((name, i) => element('option', {value: i, selected: i === this.pane}, name))));
-    const rays = walk.rays.length < 2 ? null : element('label', {}, 'Ray ', element('select', {class: 'walk-ray',
-      onchange: (event) => this.look({index: Number(event.target.value)})},
-      ...walk.rays.map((one, i) => element('option', {value: i, selected: i === this.index}, `${i}: ${one.kind}, ${one.cells} ${what}s, ${one.tests} tests`))));
+    // Of several one to look at: this.pane or this.index.
+    const choice = (label, name, part, all) => all.length < 2 ? null : element('label', {}, label, element('select', {class: name,
+      onchange: (event) => this.look({[part]: Number(event.target.value)})},
+      ...all.map((text, i) => element('option', {value: i, selected: i === this[part]}, text))));
+    const panes = choice('List of ', 'walk-pane', 'pane', this.names);
+    const rays = choice('Ray ', 'walk-ray', 'index', walk.rays.map((one, i) => `${i}: ${one.kind}, ${one.cells} ${what}s, ${one.tests} tests`));
     const more = walk.more_rays === 0 ? null : element('p', {class: 'note walk-more'},
       `and ${walk.ended_early ? 'more than ' : ''}${Text.count(walk.more_rays)} more rays, which aren’t listed`);
     const choices = element('div', {class: 'controls'}, panes, rays);
