@@ -15,9 +15,9 @@ import sys
 import tempfile
 
 from accuracy_tables import failed, has_embree, picture_rows, sweep_rows
+from measured import KINDS
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "charts"
-KINDS = "primary", "diffuse", "random"
 PEERS = {"cwbvh": 4, "cubql": 5, "optix": 6, "hagrid": 8}  # columns of performance.md's table
 LESSON = {"teapot": 4, "balls": 7}             # columns of tests, cells and nanoseconds per ray in lesson.md's table
 ACCURACY = {  # title, share that is drawn as none
@@ -47,6 +47,12 @@ def write_rows(file, head, rows):
     file.flush()
 
 
+def plot_rows(script, folder, head, rows, **variables):
+    with tempfile.NamedTemporaryFile("w", suffix=".csv", newline="") as data:
+        write_rows(data, head, rows)
+        plot(script, folder, data=data.name, **variables)
+
+
 def write_accuracy(results, folder):
     """The rows of the charts of accuracy.md."""
     rows = sweep_rows(results)
@@ -71,19 +77,16 @@ def draw_accuracy(folder):
         with open(folder / f"{name}.csv", newline="") as file:
             head, *rows = csv.reader(file)
         failing = {row[0] for row in rows if float(row[-1]) > 0}
-        with tempfile.NamedTemporaryFile("w", suffix=".csv", newline="") as data:
-            write_rows(data, head, [row for row in rows if row[0] in failing])
-            plot("accuracy", folder, data=data.name, out=f"{name}.png", title=f"{title} (lower is better)", floor=floor)
+        plot_rows("accuracy", folder, head, [row for row in rows if row[0] in failing], out=f"{name}.png",
+                  title=f"{title} (lower is better)", floor=floor)
 
 
 def draw_peers(docs):
     rows = table(docs / "performance.md", "| scene | `fastest` takes |")
-    with tempfile.NamedTemporaryFile("w", suffix=".csv") as data:
-        write_rows(data, ["kind", "line", "scene", *PEERS],
-                   [[kind, line, f"{row[0].removesuffix('-triangles')} ({'hierarchy' if row[1] == '`bvh`' else 'irregular'})",
-                     *(row[column].split(", ")[i] for column in PEERS.values())]
-                    for line, row in enumerate(reversed(rows), 1) for i, kind in enumerate(KINDS)])
-        plot("peers", docs, data=data.name, out="peers.png")
+    plot_rows("peers", docs, ["kind", "line", "scene", *PEERS],
+              [[kind, line, f"{row[0].removesuffix('-triangles')} ({'hierarchy' if row[1] == '`bvh`' else 'irregular'})",
+                *(row[column].split(", ")[i] for column in PEERS.values())]
+               for line, row in enumerate(reversed(rows), 1) for i, kind in enumerate(KINDS)], out="peers.png")
 
 
 def draw_answer(docs):
@@ -99,9 +102,8 @@ def draw_answer(docs):
                 panels.extend([panel, triangles.replace(",", ""), line, 10**(k / 4), prepare * 1e-3 + 10**(k / 4) / rate * 1e-6]
                               for k in range(12, 37))
     for processor, rows in points.items():
-        with tempfile.NamedTemporaryFile("w", suffix=".csv") as data:
-            write_rows(data, ["panel", "triangles", "line", "rays", "seconds"], rows)
-            plot("answer", docs, data=data.name, machine=processor, out=f"answer-{'cpu' if 'cores' in processor else 'gpu'}.png")
+        plot_rows("answer", docs, ["panel", "triangles", "line", "rays", "seconds"], rows, machine=processor,
+                  out=f"answer-{'cpu' if 'cores' in processor else 'gpu'}.png")
 
 
 def draw_lesson(docs):

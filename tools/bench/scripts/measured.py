@@ -15,6 +15,7 @@ import sys
 import time
 
 STANDARD = "balls gears mount rings teapot tetra tree".split()
+KINDS = "primary", "diffuse", "random"  # of rays
 
 
 def record(limit, section, key, *command):

@@ -15,7 +15,7 @@ import random
 import statistics
 import sys
 
-from measured import STANDARD, figure, head, made_by, run_script, table
+from measured import KINDS, STANDARD, figure, head, made_by, run_script, table
 
 LARGE = "teapot-60 mount-10-triangles tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
 
@@ -115,8 +115,11 @@ def fastest(results, scene):
 def rates(results, scene, grid):
     """Mray/s of primary, diffuse and random rays by the loop `auto`, which is measured first."""
     rows = [row for row in results["runs"]["rays"][scene]["output"] if row["grid"] == f"{grid}.grid"]
-    return [next(row["mrays_per_second"] for row in rows if row["rays"] == kind)
-            for kind in ("primary", "diffuse", "random")]
+    return [next(row["mrays_per_second"] for row in rows if row["rays"] == kind) for kind in KINDS]
+
+
+def joined(numbers, form=".0f"):
+    return ", ".join(f"{number:{form}}" for number in numbers)
 
 
 def ms(make):
@@ -163,10 +166,8 @@ def tables(results):
         return table(["for", "scene", "`fastest` takes", "the fastest", *(f"`{rule}`" for rule in CHOICES)], rows)
 
     def hierarchies():
-        def speeds(s, grid):
-            return ", ".join(f"{rate:.0f}" for rate in rates(results, s, grid))
         rows = [[s, *(cell for grid in (s, f"{s}-bvh") for cell in (
-                    figure(lambda: speeds(s, grid), "{}"), megabytes(f"{grid}.grid"),
+                    figure(lambda: joined(rates(results, s, grid)), "{}"), megabytes(f"{grid}.grid"),
                     ms(lambda: seconds("hierarchies", grid))))] for s in LARGE]
         return table(["scene", "irregular: Mray/s", "MB", "picture, ms", "`--structure bvh`: Mray/s", "MB", "picture, ms"], rows)
 
@@ -175,10 +176,9 @@ def tables(results):
         for s, peer in PEERS.items():
             taken = fastest(results, s)
             own = rates(results, s, taken)
-            ratio = lambda name: ", ".join(f"{ours / theirs:.2f}" for ours, theirs in zip(own, peer[name]))
-            rows.append([s, "irregular" if taken == s else "`bvh`", ", ".join(f"{rate:.0f}" for rate in own),
-                         ", ".join(f"{rate:.0f}" for rate in peer["cwbvh"]),
-                         ratio("cwbvh"), ratio("cubql"), ratio("optix"), ratio("hagrid"), ratio("hagrid_best"),
+            rows.append([s, "irregular" if taken == s else "`bvh`", joined(own), joined(peer["cwbvh"]),
+                         *(joined((ours / theirs for ours, theirs in zip(own, peer[name])), ".2f")
+                           for name in ("cwbvh", "cubql", "optix", "hagrid", "hagrid_best")),
                          f"{(size[f'{taken}.grid'] + 48 * primitives(s)) * 1e-6:.0f}, {peer['cwbvh_mb'][0]:.0f}"])
         return table(["scene", "`fastest` takes", "Masu", "CWBVH", "Masu / CWBVH", "/ cuBQL", "/ OptiX", "/ hagrid",
                       "/ hagrid's best", "MB: Masu, CWBVH"], rows)
@@ -201,20 +201,15 @@ def tables(results):
                        if key.startswith(f"{s}.{where}.") and "output" in run]
             return sorted(of_this, key=lambda run: run["build_seconds"])[(len(of_this) - 1) // 2]
 
-        def row(s):
-            return [s, figure(lambda: primitives(s), "{:,}"),
-                    ms(lambda: middle(s, "cuda")["device_seconds"]["build"]),
-                    *(ms(lambda: middle(s, where)["build_seconds"]) for where in ("cuda", "cpu", "one"))]
+        rows = [[s, figure(lambda: primitives(s), "{:,}"), ms(lambda: middle(s, "cuda")["device_seconds"]["build"]),
+                 *(ms(lambda: middle(s, where)["build_seconds"]) for where in ("cuda", "cpu", "one"))] for s in LARGE]
         return table(["scene", "primitives", "GPU, build", "GPU, with set-up and copies", f"{machine['cores']} cores",
-                      "one core"], [row(s) for s in LARGE])
-
-    def middle_of(section, *keys):
-        """Of the runs with these keys: the median of each of the seconds that the tool prints."""
-        all_seconds = [output(section, key)["seconds"] for key in keys]
-        return {what: statistics.median(of[what] for of in all_seconds) for what in all_seconds[0]}
+                      "one core"], rows)
 
     def load():
-        times = middle_of("load", "1", "2", "3")
+        """Of three runs the median of each of the seconds that the tool prints."""
+        all_seconds = [output("load", key)["seconds"] for key in ("1", "2", "3")]
+        times = {what: statistics.median(of[what] for of in all_seconds) for what in all_seconds[0]}
         steps = [times[name] for name in ("map", "validate", "upload")]
         size_of = sum(size.get(f"mount-10.{kind}", 0) for kind in ("scene", "grid"))
         return table([f"{size_of * 1e-6:.0f} MB", "ms"],
@@ -228,10 +223,10 @@ def tables(results):
             found = {}
             for line in text.splitlines():
                 words = line.split()
-                if words[:1] and words[0] in ("primary", "diffuse", "random") and words[1] == "1" and words[-1] != "-":
+                if words[:1] and words[0] in KINDS and words[1] == "1" and words[-1] != "-":
                     who = "packets" if "packets" in words else "Embree" if words[2] == "Embree" else "Masu"
                     found[words[0], who] = words[-2], words[-1]
-            for kind in ("primary", "diffuse", "random"):
+            for kind in KINDS:
                 ours, ratio = found.get((kind, "Masu"), "--")
                 yield f"{ours}, {found.get((kind, 'Embree'), '-')[0]} ({ratio})"
                 if kind == "primary":
@@ -260,7 +255,7 @@ def tables(results):
                      rows)
 
     def answer():
-        rows = []
+        rows, tracers = [], ("Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median", "cuBQL, SAH")
         for key, run in runs["answer"].items():
             device, _, size = key.partition(".")
             found = run["output"]
@@ -268,13 +263,9 @@ def tables(results):
             if device == "cuda":
                 peer = ANSWERS.get(size, [])
                 cells |= {f"cuBQL, {how}": ", ".join(pair) for how, pair in zip(("median", "SAH"), (peer[:2], peer[2:])) if pair}
-            taken = found["bytes_a_triangle"]
             rows.append([f"{found['triangles']:,}, " + (machine["device"] if device == "cuda" else f"{machine['cores']} cores"),
-                         *(cells.get(name, "-") for name in ("Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median",
-                                                           "cuBQL, SAH")),
-                         ", ".join(f"{of:.0f}" for of in taken.values())])
-        return table(["triangles, on", "Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median", "cuBQL, SAH",
-                      "bytes a triangle"], rows)
+                         *(cells.get(name, "-") for name in tracers), joined(found["bytes_a_triangle"].values())])
+        return table(["triangles, on", *tracers, "bytes a triangle"], rows)
 
     def closest():
         columns = ("cuda", "Masu"), ("cpu", "Masu"), ("cpu", "Open3D")
@@ -283,7 +274,7 @@ def tables(results):
             device, _, size = key.partition(".")
             sizes[size] = f"{run['output']['triangles']:,}"
             for name, rates in run["output"]["mpoints"].items():
-                cells[size, device, name] = ", ".join(f"{rate:.3g}" for rate in rates.values())
+                cells[size, device, name] = joined(rates.values(), ".3g")
         return table(["triangles", machine.get("device", "GPU"), f"{machine['cores']} cores", f"Open3D, {machine['cores']} cores"],
                      [[triangles, *(cells.get((size, *column), "-") for column in columns)] for size, triangles in sizes.items()])
 
