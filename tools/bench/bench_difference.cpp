@@ -98,12 +98,12 @@ std::string line_of(const Difference& difference) {
 }
 
 std::string json_of(const Difference& difference) {
-  nlohmann::ordered_json json = provenance();
+  Json json = provenance();
   json.update({{"width", difference.width},
                {"height", difference.height},
                {"rmse", difference.rmse},
                {"largest", difference.largest},
-               {"largest_at", nlohmann::ordered_json::array({difference.x, difference.y})},
+               {"largest_at", Json::array({difference.x, difference.y})},
                {"different_pixels", difference.different_pixels},
                {"incomparable_pixels", difference.incomparable_pixels}});
   if (!(difference.largest > 0)) json["largest_at"] = nullptr;

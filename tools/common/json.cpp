@@ -18,18 +18,18 @@ std::vector<std::string> command_line() {
   return words;
 }
 
-nlohmann::ordered_json program_version() {
+Json program_version() {
   return {{"version", version}, {"commit", commit}};
 }
 
-nlohmann::ordered_json provenance() {
-  nlohmann::ordered_json origin = program_version();
+Json provenance() {
+  Json origin = program_version();
   origin["command"] = command_line();
   return origin;
 }
 
-std::string json_text(const nlohmann::ordered_json& value, int indent) {
-  const std::string text = value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+std::string json_text(const Json& value, int indent) {
+  const std::string text = value.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string_view json = text;
   std::string result;
   while (!json.empty()) {

@@ -11,26 +11,28 @@
 
 namespace masu {
 
+using Json = nlohmann::ordered_json;
+
 // [x, y, z]
 template <class T>
-void to_json(nlohmann::ordered_json& json, const Vec3<T>& v) {
+void to_json(Json& json, const Vec3<T>& v) {
   json = {v.x, v.y, v.z};
 }
 
 // {"min", "max"}
 template <class T>
-void to_json(nlohmann::ordered_json& json, const Box<T>& box) {
+void to_json(Json& json, const Box<T>& box) {
   json = {{"min", box.min}, {"max", box.max}};
 }
 
 // The program's name and arguments.
 std::vector<std::string> command_line();
 
-nlohmann::ordered_json program_version(); // {version, commit}
-nlohmann::ordered_json provenance();      // {version, commit, command}
+Json program_version(); // {version, commit}
+Json provenance();      // {version, commit, command}
 
 // JSON text of strings that can hold any bytes: what isn't UTF-8 becomes U+FFFD, and control characters are
 // escaped, those from U+007F to U+009F too. Compiled once, for the code that prints JSON is long.
-std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
+std::string json_text(const Json& json, int indent = 2);
 
 } // namespace masu

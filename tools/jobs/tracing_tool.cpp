@@ -16,8 +16,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Of a command line, the words that outputs depend on.
 Json words_of(Json command) {
   if (command.is_array())

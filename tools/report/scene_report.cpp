@@ -16,8 +16,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Of a scene in memory or in a file.
 struct Report {
   ObjectCounts objects;
@@ -247,15 +245,14 @@ void print_table(const Report& r) {
 }
 
 void print(const Report& report, bool json) {
-  if (json)
-    fmt::print("{}\n", json_text(to_json(report)));
-  else
-    print_table(report);
+  json ? fmt::print("{}\n", json_text(to_json(report))) : print_table(report);
 }
 
-// What a tool couldn't take from its input as it was: a line, unless `number` is 0.
-void print_warning(const char* tool, const std::string& input, std::uint64_t number, const char* what) {
-  if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
+// warn(number, what): a line about what a tool couldn't take from its input as it was, unless `number` is 0.
+auto warning_of(const char* tool, const std::string& input) {
+  return [tool, &input](std::uint64_t number, const char* what) {
+    if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
+  };
 }
 
 // Of --origin; nothing for auto. Throws Error(usage).
@@ -295,7 +292,7 @@ void SceneOutput::check() const {
 }
 
 void print_warnings(const char* tool, const std::string& input, const SceneWarnings& warnings) {
-  const auto warn = [&](std::uint64_t number, const char* what) { print_warning(tool, input, number, what); };
+  const auto warn = warning_of(tool, input);
   warn(warnings.degenerate_polygons, "polygon(s) without area, which no ray can hit");
   warn(warnings.degenerate_triangles, "vertices on triangles without area left out");
   warn(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
@@ -304,7 +301,7 @@ void print_warnings(const char* tool, const std::string& input, const SceneWarni
 }
 
 void print_warnings(const char* tool, const std::string& input, const ImportNotes& notes) {
-  const auto warn = [&](std::uint64_t number, const char* what) { print_warning(tool, input, number, what); };
+  const auto warn = warning_of(tool, input);
   warn(notes.points_and_lines, "point(s) and line(s) left out");
   warn(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
   if (notes.float32_error > 0)

@@ -11,8 +11,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json finite(double t) {
   return std::isfinite(t) ? Json(t) : Json();
 }
