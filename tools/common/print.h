@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libscene/base/error.h"
+#include "libscene/geometry/vector.h"
 
 #include <fmt/format.h>
 
@@ -27,6 +28,11 @@ inline std::string grouped(std::uint64_t number) {
     text += digits[i];
   }
   return text;
+}
+
+// 16 x 16 x 8
+inline std::string by_by(const Vec3i& n) {
+  return fmt::format("{} x {} x {}", n.x, n.y, n.z);
 }
 
 // Prints rows of a table: a name, and from column `width` on what follows it.

@@ -15,8 +15,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Of a grid: of its cells and references, and of the voxel map.
 struct Statistics {
   GridStatistics cells;
@@ -82,10 +80,6 @@ void print_csv(const Json& report) {
 // --- Tables -----------------------------------------------------------------------------------------------
 
 constexpr Rows print_row{22};
-
-std::string by_by(const Vec3i& n) {
-  return fmt::format("{} x {} x {}", n.x, n.y, n.z);
-}
 
 std::string joined(const std::vector<std::uint64_t>& numbers) {
   std::string text;
@@ -252,20 +246,17 @@ Json structure_report(const StructureFile& file, bool histogram) {
 
 void print_structure_report(const StructureFile& file, ReportFormat format, bool histogram) {
   Json json;
-  if (file.is_hierarchy()) {
-    const HierarchyStatistics statistics = hierarchy_statistics(file.nodes());
+  const auto report = [&](const auto& statistics) {
     json = report_of(file, statistics, histogram);
     if (format == ReportFormat::table) print_table(file, statistics);
-  } else {
-    const Statistics statistics(file);
-    json = report_of(file, statistics, histogram);
-    if (format == ReportFormat::table) print_table(file, statistics);
-    if (format == ReportFormat::csv) { // the map's words are added up; cells_by_size has no fixed length
-      const std::vector<std::uint64_t>& words = statistics.map.words;
-      json["map"].erase("words_by_level");
-      json["map"]["words"] = std::accumulate(words.begin(), words.end(), std::uint64_t{0});
-      json.erase("cells_by_size");
-    }
+  };
+  file.is_hierarchy() ? report(hierarchy_statistics(file.nodes())) : report(Statistics(file));
+  if (format == ReportFormat::csv && !file.is_hierarchy()) {
+    // The map's words are added up; cells_by_size has no fixed length.
+    const auto words = json["map"]["words_by_level"].get<std::vector<std::uint64_t>>();
+    json["map"].erase("words_by_level");
+    json["map"]["words"] = std::accumulate(words.begin(), words.end(), std::uint64_t{0});
+    json.erase("cells_by_size");
   }
   if (format == ReportFormat::json) return fmt::print("{}\n", json_text(json));
   if (format == ReportFormat::csv) return print_csv(json);
