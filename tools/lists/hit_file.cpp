@@ -17,16 +17,31 @@ namespace {
 
 constexpr std::size_t records_per_task = 1 << 14;
 
+template <class Number>
+void append_number(std::vector<std::uint8_t>& text, const std::uint8_t* bytes) {
+  Number number;
+  std::memcpy(&number, bytes, sizeof number);
+  fmt::format_to(std::back_inserter(text), "{},", number); // the shortest that reads back the same
+}
+
+struct NumberFormat {
+  const char* type; // as NumPy has it
+  std::size_t bytes;
+  void (*append)(std::vector<std::uint8_t>& text, const std::uint8_t* bytes);
+  std::size_t longest; // in text, with what follows it, or more
+};
+constexpr NumberFormat float32{"<f4", 4, append_number<float>, 32},
+    float64{"<f8", 8, append_number<double>, 32}, int32{"<i4", 4, append_number<std::int32_t>, 16},
+    byte{"|u1", 1, append_number<std::uint8_t>, 16};
+
 struct FieldFormat {
   const char* name;
   HitField field;
-  const char* type; // of a number, as NumPy has it
+  NumberFormat number;
   std::size_t numbers;
   const char* columns[3]; // of CSV
   bool is_of_ray = false; // not of each hit
 
-  char kind() const { return type[1]; }
-  std::size_t number_bytes() const { return static_cast<std::size_t>(type[2] - '0'); }
   // Of a ray with a row of so many hits, or for 0 with one.
   std::size_t hits(std::uint32_t row) const { return row == 0 || is_of_ray ? 1 : row; }
   std::size_t all_numbers(std::uint32_t row) const { return numbers * hits(row); }
@@ -34,7 +49,7 @@ struct FieldFormat {
   std::string numpy_type(std::uint32_t row) const {
     std::string shape = row == 0 || is_of_ray ? "" : fmt::format("{},", row);
     if (numbers > 1) shape += fmt::format("{},", numbers);
-    return shape.empty() ? fmt::format("'{}'", type) : fmt::format("'{}', ({})", type, shape);
+    return shape.empty() ? fmt::format("'{}'", number.type) : fmt::format("'{}', ({})", number.type, shape);
   }
   std::string csv_columns() const {
     std::string names;
@@ -44,42 +59,27 @@ struct FieldFormat {
   }
 };
 constexpr FieldFormat field_formats[] = {
-    {"t", HitField::t, "<f4", 1, {"t"}},
-    {"t64", HitField::t64, "<f8", 1, {"t64"}},
-    {"object", HitField::object, "<i4", 1, {"object"}},
-    {"primitive", HitField::primitive, "<i4", 1, {"primitive"}},
-    {"face", HitField::face, "<i4", 1, {"face"}},
-    {"uv", HitField::uv, "<f4", 2, {"u", "v"}},
-    {"normal", HitField::normal, "<f4", 3, {"nx", "ny", "nz"}},
-    {"front", HitField::front, "|u1", 1, {"front"}},
-    {"count", HitField::count, "<i4", 1, {"count"}, true},
-    {"inside", HitField::inside, "|u1", 1, {"inside"}, true},
-    {"occluded", HitField::occluded, "|u1", 1, {"occluded"}, true},
+    {"t", HitField::t, float32, 1, {"t"}},
+    {"t64", HitField::t64, float64, 1, {"t64"}},
+    {"object", HitField::object, int32, 1, {"object"}},
+    {"primitive", HitField::primitive, int32, 1, {"primitive"}},
+    {"face", HitField::face, int32, 1, {"face"}},
+    {"uv", HitField::uv, float32, 2, {"u", "v"}},
+    {"normal", HitField::normal, float32, 3, {"nx", "ny", "nz"}},
+    {"front", HitField::front, byte, 1, {"front"}},
+    {"count", HitField::count, int32, 1, {"count"}, true},
+    {"inside", HitField::inside, byte, 1, {"inside"}, true},
+    {"occluded", HitField::occluded, byte, 1, {"occluded"}, true},
 };
 
 const FieldFormat& format_of(HitField field) {
   return *std::ranges::find(field_formats, field, &FieldFormat::field);
 }
 
-template <class Number>
-void append_number(std::vector<std::uint8_t>& text, const std::uint8_t* bytes) {
-  Number number;
-  std::memcpy(&number, bytes, sizeof number);
-  fmt::format_to(std::back_inserter(text), "{},", number); // the shortest that reads back the same
-}
-
 // Of a hit, or of a ray.
 void append_field(std::vector<std::uint8_t>& text, const FieldFormat& format, const std::uint8_t* bytes) {
-  for (std::size_t n = format.numbers; n > 0; --n, bytes += format.number_bytes()) {
-    if (format.kind() == 'f' && format.number_bytes() == sizeof(double))
-      append_number<double>(text, bytes);
-    else if (format.kind() == 'f')
-      append_number<float>(text, bytes);
-    else if (format.kind() == 'i')
-      append_number<std::int32_t>(text, bytes);
-    else
-      append_number<std::uint8_t>(text, bytes);
-  }
+  for (std::size_t n = format.numbers; n > 0; --n, bytes += format.number.bytes)
+    format.number.append(text, bytes);
 }
 
 // A line; the last comma becomes its end.
@@ -112,7 +112,7 @@ std::string usual_fields(HitName name) {
 }
 
 std::size_t bytes_of(HitField field, std::uint32_t row) {
-  return format_of(field).all_numbers(row) * format_of(field).number_bytes();
+  return format_of(field).all_numbers(row) * format_of(field).number.bytes;
 }
 
 void check_hits_name(const char* option, const std::string& path) {
@@ -133,8 +133,7 @@ HitFormat::HitFormat(const std::string& path, std::vector<HitField> fields, std:
   for (const HitField field : fields_) {
     const FieldFormat& format = format_of(field);
     record_bytes_ += bytes_of(field, row);
-    // No number with what follows it is longer.
-    longest_line_ += format.all_numbers(row) * (format.kind() == 'f' ? 32 : 16);
+    longest_line_ += format.all_numbers(row) * format.number.longest;
   }
 }
 

@@ -37,24 +37,18 @@ void with_values(const Channels& channels, Channel channel, const Act& act) {
   }
 }
 
-void write_npy(const Channels& channels, Channel channel, const std::string& path) {
+void write_values(const Channels& channels, Channel channel, ChannelFormat format, const std::string& path) {
   OutputFile file(path);
   with_values(channels, channel, [&](const auto& values, const char* type, int numbers) {
-    const std::string header = npy_header(type, fmt::format("{}, {}, {}", channels.rows, channels.columns,
-                                                            numbers > 1 ? fmt::format("{}, ", numbers) : ""));
-    file.write(header.data(), header.size());
-    file.write(values.data(), values.size_bytes());
-  });
-  file.commit();
-}
-
-void write_pfm(const Channels& channels, Channel channel, const std::string& path) {
-  OutputFile file(path);
-  with_values(channels, channel, [&](const auto& values, const char*, int numbers) {
     using Value = std::decay_t<decltype(values[0])>;
+    const bool is_npy = format == ChannelFormat::npy;
     const std::string header = // -1: little-endian
-        fmt::format("{}\n{} {}\n-1.0\n", numbers == 3 ? "PF" : "Pf", channels.columns, channels.rows);
+        is_npy
+            ? npy_header(type, fmt::format("{}, {}, {}", channels.rows, channels.columns,
+                                           numbers > 1 ? fmt::format("{}, ", numbers) : ""))
+            : fmt::format("{}\n{} {}\n-1.0\n", numbers == 3 ? "PF" : "Pf", channels.columns, channels.rows);
     file.write(header.data(), header.size());
+    if (is_npy) return file.write(values.data(), values.size_bytes());
     const auto columns = static_cast<std::size_t>(channels.columns);
     std::vector<float> rounded(columns);
     for (std::int32_t row = channels.rows; row-- > 0;) { // from the bottom up
@@ -151,8 +145,7 @@ TracingReport write_channels(const ResidentTracer& tracer, const ChannelsJob& jo
         static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
     for (const Channel channel : request.channels) {
       const ChannelFiles files = channel_files(job.pictures[i], channel, job.format);
-      job.format == ChannelFormat::npy ? write_npy(channels, channel, files.values)
-                                       : write_pfm(channels, channel, files.values);
+      write_values(channels, channel, job.format, files.values);
       write_png(picture_of(channels, channel, request.all_rays, job.high), files.picture, job.texts);
     }
     progress((static_cast<double>(i) + 1) / views);
