@@ -4,17 +4,13 @@
 #include "tools/bench/screen_division/screen_division.h"
 #include "tools/common/repeated.h"
 
-#include <algorithm>
 #include <cstring>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
 namespace masu {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // None: the renderer's own.
 const std::vector<std::pair<std::string, std::optional<ScreenDivision>>> all_schedules{
@@ -95,7 +91,7 @@ void bench_frame(const Settings& settings, Output& output) {
     const StructureFile grid(path);
     const ResidentTracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     for (const auto& [name, division] : all_schedules) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+      if (!contains(names, name)) continue;
       if (grid.is_hierarchy() && division) {
         if (settings.schedules.empty()) continue;
         throw Error(ErrorCode::usage, "--schedule",
@@ -111,10 +107,7 @@ void bench_frame(const Settings& settings, Output& output) {
 void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grids(command, settings.grids);
-  std::set<std::string> names;
-  for (const auto& [name, schedule] : all_schedules)
-    names.insert(name);
-  add_names(command, "--schedule", settings.schedules, names,
+  add_names(command, "--schedule", settings.schedules, names_in(all_schedules),
             "how tiles of 8x8 rays are assigned: hardware (a thread block per tile), block (consecutive "
             "tiles to each worker), cyclic (every W-th tile to each of W workers), persistent (workers "
             "take the next tile from a counter); default: all");

@@ -10,7 +10,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using namespace stability;
 
 struct Settings {
@@ -24,9 +23,7 @@ struct Settings {
 std::vector<Mode> modes_for(const Settings& settings, const SceneFile& scene) {
   std::vector<Mode> modes;
   for (const Mode& mode : {fast, robust, doubled}) {
-    if (std::find(settings.precisions.begin(), settings.precisions.end(), mode.name) ==
-        settings.precisions.end())
-      continue;
+    if (!contains(settings.precisions, mode.name)) continue;
     resolved(mode.precision, scene); // throws where the scene doesn't allow it
     modes.push_back(mode);
     if (settings.first_cell_hit) modes.back().stop = StopRule::first_cell;

@@ -16,8 +16,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Settings {
   std::string scene, size = "1024x1024", save;
   std::vector<std::string> grids, sets{"primary", "diffuse", "random", "shadow", "ambient"};
@@ -41,21 +39,12 @@ const std::map<std::string, RayLoop> all_loops{{"thread_per_ray", RayLoop::threa
                                                {"warp_refill", RayLoop::warp_refill},
                                                {"on_device", RayLoop::automatic}};
 
-std::set<std::string> loop_names() {
-  std::set<std::string> names{"auto"};
-  for (const auto& [name, loop] : all_loops)
-    names.insert(name);
-  return names;
-}
-
 // The loop's name, with `auto` resolved.
 std::string loop_for(const std::string& wanted, const RaySet& set, const ResidentTracer& tracer) {
   if (set.query == Query::closest_point) return "thread_per_ray";
   if (wanted != "auto") return wanted;
   const RayLoop usual = automatic_loop(tracer, set.rays, set.query, Precision::automatic);
-  return std::find_if(all_loops.begin(), all_loops.end(),
-                      [&](const auto& loop) { return loop.second == usual; })
-      ->first;
+  return std::ranges::find(all_loops, usual, [](const auto& loop) { return loop.second; })->first;
 }
 
 // All grids are measured by the same rays. Sets that begin at hit points are generated through the first
@@ -177,7 +166,9 @@ void add_options(const CommandLine& command, Settings& settings) {
   add_backend(command, settings.backend);
   command.add_choice("--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
                      "order of primary rays: rows, or tiles of 8x4");
-  add_names(command, "--loop", settings.loops, loop_names(),
+  std::set<std::string> loop_names = names_in(all_loops);
+  loop_names.insert("auto");
+  add_names(command, "--loop", settings.loops, loop_names,
             "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
             "tests), warp_refill (warp, and idle threads fetch the next ray), on_device (through a hierarchy "
             "one of these, by a look at some rays there), or auto (that, or through a grid by what a sample "

@@ -12,7 +12,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using namespace stability;
 
 struct Settings {
@@ -23,7 +22,7 @@ struct Settings {
 };
 
 bool wanted(const std::vector<std::string>& list, const std::string& name) {
-  return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
+  return list.empty() || contains(list, name);
 }
 
 const char* store_of(bool float64) {
@@ -114,12 +113,12 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
 template <class AnySweep>
 std::vector<AnySweep> chosen(std::vector<AnySweep> sweeps, const Settings& settings) {
   for (const std::string& name : settings.sweeps) {
-    if (std::none_of(sweeps.begin(), sweeps.end(), [&](const auto& sweep) { return sweep.name == name; })) {
-      std::string names;
-      for (const AnySweep& sweep : sweeps)
-        names += std::string(names.empty() ? "" : ", ") + sweep.name;
-      throw Error(ErrorCode::usage, "--sweep", fmt::format("'{}' isn't one of {}", name, names));
-    }
+    std::vector<std::string> names;
+    for (const AnySweep& sweep : sweeps)
+      names.emplace_back(sweep.name);
+    if (!contains(names, name))
+      throw Error(ErrorCode::usage, "--sweep",
+                  fmt::format("'{}' isn't one of {}", name, fmt::join(names, ", ")));
   }
   std::erase_if(sweeps, [&](const AnySweep& sweep) { return !wanted(settings.sweeps, sweep.name); });
   return sweeps;

@@ -50,11 +50,6 @@ TradeoffSetup setup_of(const Settings& settings, bool cuda) {
 // The configurations of one grid: precisions and stop rules.
 using GridPlan = std::vector<Configuration>;
 
-template <class T>
-bool contains(const std::vector<T>& all, const T& one) {
-  return std::ranges::find(all, one) != all.end();
-}
-
 // All configurations, each once, in the order of the CSV's rows. Scenes stored in float64 have only double
 // precision. Throws Error(usage) for an invalid division.
 std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
@@ -67,14 +62,14 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
     });
     if (grid == plan.end())
       plan.push_back({c});
-    else if (!contains(*grid, c))
+    else if (std::ranges::find(*grid, c) == grid->end())
       grid->push_back(c);
   };
   for (const std::string& merge : settings.merges) {
     // A hierarchy has no division, no overlap test and no cells.
     if (named<StructureKind>(merge) == StructureKind::hierarchy) {
       for (const std::string& precision : settings.precisions)
-        if (contains<std::string>(settings.stops, "proven"))
+        if (contains(settings.stops, "proven"))
           add({named<Precision>(precision), StopRule::proven, StructureKind::hierarchy, "auto",
                Overlap::exact});
       continue;
@@ -90,7 +85,7 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
                  named<Overlap>(overlap)});
     }
   }
-  const bool robust = contains<std::string>(settings.precisions, "robust");
+  const bool robust = contains(settings.precisions, "robust");
   for (const std::string& division : settings.curve) {
     static_cast<void>(parse_division(division));
     add({float64  ? Precision::doubled
@@ -146,7 +141,7 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
   std::size_t to_do = 0;
   for (GridPlan& grid : plan) {
     std::erase_if(grid, [&](const Configuration& c) {
-      return std::any_of(rows.begin(), rows.end(), [&](const TradeoffRow& row) {
+      return std::ranges::any_of(rows, [&](const TradeoffRow& row) {
         return row.scene == name && row.scene_hash == hash && row.setup == setup && row.configuration == c;
       });
     });
@@ -187,8 +182,7 @@ std::vector<TradeoffRow> comparable(const std::vector<TradeoffRow>& rows, const 
 std::vector<std::vector<TradeoffRow>> groups_of(const std::vector<TradeoffRow>& rows) {
   std::vector<std::vector<TradeoffRow>> groups;
   for (const TradeoffRow& row : rows) {
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const auto& g) { return g.front().scene == row.scene; });
+    auto group = std::ranges::find_if(groups, [&](const auto& g) { return g.front().scene == row.scene; });
     if (group == groups.end()) group = groups.insert(groups.end(), std::vector<TradeoffRow>{});
     group->push_back(row);
   }
@@ -271,7 +265,7 @@ void bench_tradeoff(const Settings& settings, Output& output) {
   std::map<std::string, std::string> hashes;
   for (const std::string& scene : settings.scenes) { // errors first, before the measurements
     const SceneFile file(scene);
-    if (!contains<std::string>(settings.precisions, "double")) // throws where the scene doesn't allow it
+    if (!contains(settings.precisions, "double")) // throws where the scene doesn't allow it
       static_cast<void>(resolved(named<Precision>(settings.precisions.front()), file));
     static_cast<void>(resized(file.camera(), setup.size));
     static_cast<void>(resized(file.camera(), setup.picture));

@@ -5,9 +5,11 @@
 #include "tools/common/json.h"
 #include "tools/common/print.h"
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace masu {
@@ -15,9 +17,9 @@ namespace masu {
 // What a subcommand has to say: a table, line by line as it is measured, or JSON, when all is.
 struct Output {
   bool as_json = false;
-  nlohmann::ordered_json json = nlohmann::ordered_json::array(); // rows
-  std::string device{};                                          // that was measured
-  std::string why_no_gpu{};                                      // backend.h
+  Json json = Json::array(); // rows
+  std::string device{};      // that was measured
+  std::string why_no_gpu{};  // backend.h
 
   // Whether CUDA is what is measured, as use_cuda() says.
   bool on_cuda(Backend backend) {
@@ -35,7 +37,7 @@ struct Output {
   }
   void print_json() const {
     if (!as_json) return;
-    nlohmann::ordered_json rows = json, origin = provenance();
+    Json rows = json, origin = provenance();
     origin["device"] = device;
     for (auto& row : rows)
       row.update(origin);
@@ -97,6 +99,17 @@ inline void add_picture_size(const CommandLine& command, std::string& size, cons
 inline void add_general(const CommandLine& command, TracingRules& rules) {
   command.add_flag("--general", rules.general,
                    "use the kernel for all kinds of primitives, not the one for those in the scene");
+}
+// The names of pairs of a name and something else.
+template <class Pairs>
+std::set<std::string> names_in(const Pairs& pairs) {
+  std::set<std::string> names;
+  for (const auto& [name, named] : pairs)
+    names.insert(name);
+  return names;
+}
+inline bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
 }
 // A list of some of these names.
 inline Option add_names(const CommandLine& command, const char* option, std::vector<std::string>& names,

@@ -30,6 +30,12 @@ struct File {
   }
 };
 
+// Of a size that was checked, with zeros.
+FloatPicture picture_of(std::uint64_t width, std::uint64_t height, std::uint64_t channels) {
+  return {static_cast<std::int32_t>(width), static_cast<std::int32_t>(height),
+          static_cast<std::int32_t>(channels), std::vector<float>(width * height * channels)};
+}
+
 constexpr std::string_view png_begins = "\x89PNG", pfm_begins = "PF", pfm_of_one_begins = "Pf";
 
 // Nothing but its beginning is read of what isn't a picture: it may be endless.
@@ -63,8 +69,7 @@ FloatPicture read_png(const File& file) {
   if (PNG_IMAGE_SIZE(png) / 1100 > file.bytes.size()) file.fail("is shorter than its size says: damaged?");
   std::vector<std::uint8_t> rgb(PNG_IMAGE_SIZE(png));
   check(png_image_finish_read(&png, nullptr, rgb.data(), 0, nullptr));
-  FloatPicture picture{static_cast<std::int32_t>(png.width), static_cast<std::int32_t>(png.height), 3, {}};
-  picture.values.resize(rgb.size());
+  FloatPicture picture = picture_of(png.width, png.height, 3);
   std::ranges::transform(rgb, picture.values.begin(),
                          [](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
   return picture;
@@ -91,16 +96,15 @@ FloatPicture read_pfm(const File& file) {
     if (!value) file.fail(fmt::format("has a header in which '{}' isn't a number", text.substr(0, 20)));
     return *value;
   };
-  const std::int32_t channels = word() == "PF" ? 3 : 1;
+  const std::size_t channels = word() == "PF" ? 3 : 1;
   const auto width = number(std::uint32_t{}), height = number(std::uint32_t{});
   const double scale = number(double{});
   file.check_size(width, height);
   ++at; // one white space
-  const std::size_t row = std::size_t{width} * static_cast<std::size_t>(channels);
+  const std::size_t row = std::size_t{width} * channels;
   if (at > file.bytes.size() || file.bytes.size() - at != row * height * sizeof(float))
     file.fail(fmt::format("hasn't the length of {} x {} pixels", width, height));
-  FloatPicture picture{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), channels, {}};
-  picture.values.resize(row * height);
+  FloatPicture picture = picture_of(width, height, channels);
   for (std::size_t y = 0; y < height; ++y) // from the bottom up
     for (std::size_t i = 0; i < row; ++i)
       picture.values[(height - 1 - y) * row + i] =
@@ -123,13 +127,9 @@ FloatPicture read_npy(const File& file) {
   if (!is_float && !is_signed && array->type != "<u4")
     file.fail(fmt::format("has numbers of type {}, not <f4, <i4 or <u4", array->type));
   file.check_size(array->shape[1], array->shape[0]);
-  FloatPicture picture{static_cast<std::int32_t>(array->shape[1]),
-                       static_cast<std::int32_t>(array->shape[0]),
-                       dimensions == 3 ? 3 : 1,
-                       {}};
-  const std::size_t count = array->shape[0] * array->shape[1] * (dimensions == 3 ? 3 : 1);
+  const std::size_t channels = dimensions == 3 ? 3 : 1, count = array->shape[0] * array->shape[1] * channels;
   if (file.bytes.size() - at != count * sizeof(float)) file.fail("hasn't the length that its shape says");
-  picture.values.resize(count);
+  FloatPicture picture = picture_of(array->shape[1], array->shape[0], channels);
   for (std::size_t i = 0; i < count; ++i) {
     const float bits = float_at(file.bytes.data() + at + i * sizeof(float), false);
     picture.values[i] = is_float    ? bits

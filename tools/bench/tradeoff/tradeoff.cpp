@@ -30,22 +30,15 @@ const Names<StructureKind> names_of<StructureKind>{{"none", StructureKind::unifo
 template <>
 const Names<Overlap> names_of<Overlap>{{"box", Overlap::box}, {"exact", Overlap::exact}};
 
-template <class Value>
-const char* known_name(Value value) {
-  return std::ranges::find(names_of<Value>, value, &Names<Value>::value_type::second)->first;
-}
-
 } // namespace
 
-const char* name_of(StopRule stop) {
-  return known_name(stop);
+template <class Value>
+const char* name_of(Value value) {
+  return std::ranges::find(names_of<Value>, value, &Names<Value>::value_type::second)->first;
 }
-const char* name_of(StructureKind merge) {
-  return known_name(merge);
-}
-const char* name_of(Overlap overlap) {
-  return known_name(overlap);
-}
+template const char* name_of(StopRule);
+template const char* name_of(StructureKind);
+template const char* name_of(Overlap);
 
 template <class Value>
 Value named(const std::string& text) {

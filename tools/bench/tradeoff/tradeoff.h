@@ -60,10 +60,10 @@ struct TradeoffRow {
   Measurement measured;
 };
 
-// The names used in the table and the file.
-const char* name_of(StopRule stop);       // proven, first-cell-hit
-const char* name_of(StructureKind merge); // none, x, balance, irregular, bvh
-const char* name_of(Overlap overlap);     // box, exact
+// The names used in the table and the file: proven, first-cell-hit of a StopRule; none, x, balance,
+// irregular, bvh of a StructureKind; box, exact of an Overlap.
+template <class Value>
+const char* name_of(Value value);
 // The Precision, StopRule, StructureKind or Overlap of that name. Throws Error(usage, text, …).
 template <class Value>
 Value named(const std::string& text);

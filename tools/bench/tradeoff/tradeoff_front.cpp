@@ -49,34 +49,29 @@ namespace {
 // The mean of rows with one configuration, one for each scene.
 Measurement together(const std::vector<const TradeoffRow*>& rows) {
   Measurement all;
-  double primary = 0, random = 0, both = 0, picture = 0,
-         squares = 0; // sums of logarithms, and of squared errors
-  for (const TradeoffRow* const row : rows) {
-    const Measurement& one = row->measured;
-    const Accuracy& accuracy = one.accuracy;
-    primary += std::log(one.primary_mrays);
-    random += std::log(one.random_mrays);
-    both += std::log(one.mrays);
-    picture += std::log(one.picture_ms);
-    squares += accuracy.rmse * accuracy.rmse;
-    all.voxels += one.voxels;
-    all.grid_bytes += one.grid_bytes;
-    all.scene_bytes += one.scene_bytes;
-    all.accuracy.rays += accuracy.rays;
-    all.accuracy.missed += accuracy.missed;
-    all.accuracy.false_hits += accuracy.false_hits;
-    all.accuracy.wrong_primitives += accuracy.wrong_primitives;
-    all.accuracy.ties += accuracy.ties;
-    all.accuracy.worst_t = std::max(all.accuracy.worst_t, accuracy.worst_t);
-    all.accuracy.median_t = std::max(all.accuracy.median_t, accuracy.median_t);
-    all.accuracy.largest = std::max(all.accuracy.largest, accuracy.largest);
-  }
+  Accuracy& accuracy = all.accuracy;
+  const auto sum = [&](const auto& value_of) {
+    return std::accumulate(rows.begin(), rows.end(), 0.0, [&](double so_far, const TradeoffRow* row) {
+      return so_far + value_of(row->measured);
+    });
+  };
   const auto count = static_cast<double>(rows.size());
-  all.primary_mrays = std::exp(primary / count);
-  all.random_mrays = std::exp(random / count);
-  all.mrays = std::exp(both / count);
-  all.picture_ms = std::exp(picture / count);
-  all.accuracy.rmse = std::sqrt(squares / count); // the pictures are of one size
+  for (double Measurement::*const speed : {&Measurement::primary_mrays, &Measurement::random_mrays,
+                                           &Measurement::mrays, &Measurement::picture_ms})
+    all.*speed = std::exp(sum([&](const Measurement& one) { return std::log(one.*speed); }) / count);
+  // The pictures are of one size.
+  accuracy.rmse =
+      std::sqrt(sum([](const Measurement& one) { return one.accuracy.rmse * one.accuracy.rmse; }) / count);
+  for (const TradeoffRow* const row : rows) {
+    for (std::uint64_t Measurement::*const size :
+         {&Measurement::voxels, &Measurement::grid_bytes, &Measurement::scene_bytes})
+      all.*size += row->measured.*size;
+    for (std::uint64_t Accuracy::*const hits : {&Accuracy::rays, &Accuracy::missed, &Accuracy::false_hits,
+                                                &Accuracy::wrong_primitives, &Accuracy::ties})
+      accuracy.*hits += row->measured.accuracy.*hits;
+    for (double Accuracy::*const error : {&Accuracy::worst_t, &Accuracy::median_t, &Accuracy::largest})
+      accuracy.*error = std::max(accuracy.*error, row->measured.accuracy.*error);
+  }
   return all;
 }
 
