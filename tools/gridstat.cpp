@@ -20,7 +20,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
 struct Settings {
   std::string grid, slice, window, outline, picture, cells, occupancy;

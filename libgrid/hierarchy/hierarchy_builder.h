@@ -32,8 +32,8 @@ void check_hierarchy(std::uint64_t primitives, const Boxd& space);
 // top down (binary_hierarchy.h, top_down_host.h); then the cheapest nodes of eight boxes that it can be
 // collapsed to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's
 // space, in one voxel; boxes contain the layout's margin around each primitive. The root comes first, then
-// depth first, a node's nodes side by side. Scene: SceneView or MeshesView. `progress` gets shares of the work
-// of high quality. Throws as check_hierarchy() does.
+// depth first, a node's nodes side by side. Scene: SceneView or MeshesView. `progress` gets shares of the
+// work of high quality. Throws as check_hierarchy() does.
 template <class Scene>
 Structure build_hierarchy(const Scene& scene, const GridLayout& layout, HierarchyQuality quality = {},
                           ProgressMonitor* progress = nullptr);

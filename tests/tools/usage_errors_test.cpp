@@ -143,6 +143,7 @@ gridstat ~/a.grid --slice z=0 -o ~/new.svg --window=[1|0,0,1|0,0,1,1,|0,0,1,1,1|
 gridstat ~/a.grid --slice z=0 -o ~/new.svg --window=[nan,0,1,1|0,0,inf,1|100,100,101,101|0;0;1;1|0,0,1,1_] > --window
 gridstat ~/a.grid --slice z=0 -o ~/new.svg --size [0|63|4097|-1|x|1e9]
 gridstat ~/a.grid --slice z=0 -o ~/new.svg --depth [-1|49|x]
+gridstat ~/a.grid --slice z=0 -o ~/new.svg --color volume --color-high 40 > --color-high: references or depth
 gridstat ~/a.grid --slice z=0 -o ~/new.svg [--color red|--cells ~/new.csv|--json|--occupied]
 gridstat ~/a.grid [--lines|--color depth|--depth 1|--window 0,0,1,1|--outline ~/a.scene|--title a|--size 99]
 gridstat ~/a.grid [--occupied|--within 0,0,0,1,1,1|--expanded|--wireframe]

@@ -166,6 +166,9 @@ void write_slice(const StructureFile& file, const SlicePlane& plane, const Slice
   const GridLayout finest = finest_layout(file);
   const auto nested_log2 = static_cast<std::int32_t>(file.table().nested_log2());
   const bool is_hierarchy = file.is_hierarchy();
+  if (style.high > 0 && style.color == SliceColor::volume)
+    throw Error(ErrorCode::usage, "--color-high",
+                "is of references or depth: volumes have a logarithmic scale");
   if (is_hierarchy && style.color == SliceColor::volume)
     throw Error(ErrorCode::usage, "--color", "volume needs a grid of cells: a hierarchy has none");
   const auto value = [&](const SliceCell& cell) { return value_of(cell, style.color, nested_log2); };

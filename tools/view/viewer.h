@@ -6,12 +6,11 @@
 #include "renderer/image/jpeg_file.h"
 #include "renderer/rays/walk_report.h"
 #include "renderer/tracer/tracer.h"
+#include "tools/common/json.h"
 #include "tools/render/views.h"
 #include "tools/view/channel_colors.h"
 #include "tools/view/turns.h"
 #include "tools/view/viewed_files.h"
-
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <functional>
@@ -22,8 +21,6 @@
 #include <vector>
 
 namespace masu {
-
-using Json = nlohmann::ordered_json;
 
 // Lives where it was made: tracers refer to the files.
 struct ViewedGrid : ViewedStructure {
