@@ -321,12 +321,13 @@ namespace {
 Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, const BuildOptions& options,
                        const std::function<void(double)>& progress) {
   return scene.with_view_but_triangles([&]<class Stored>(const SceneView<Stored>& others) {
-    return meshes.as_stored<Stored>(scene.origin(), [&](const auto& triangles) {
-      ProgressMonitor monitor(progress);
-      return build_hierarchy(MeshesView{others, triangles},
-                             layout_in<Stored>(scene.bounds(), {1, 1, 1}, options.space),
-                             options.structure.quality, &monitor);
-    });
+    return meshes.as_stored<Stored>(
+        scene.origin(), [&]<class Number>(const StoredTriangles<Stored, Number>& triangles) {
+          ProgressMonitor monitor(progress);
+          return build_hierarchy(MeshesView<Stored, Number>{others, triangles},
+                                 layout_in<Stored>(scene.bounds(), {1, 1, 1}, options.space),
+                                 options.structure.quality, &monitor);
+        });
   });
 }
 

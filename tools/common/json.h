@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/base/printable.h"
-#include "libscene/geometry/vector.h"
+#include "libscene/geometry/box.h"
 
 #include <nlohmann/json.hpp>
 

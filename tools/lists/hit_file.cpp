@@ -37,7 +37,7 @@ constexpr NumberFormat float32{"<f4", 4, append_number<float>, 32},
 struct FieldFormat {
   const char* name;
   HitField field;
-  NumberFormat number;
+  const NumberFormat& number;
   std::size_t numbers;
   const char* columns[3]; // of CSV
   bool is_of_ray = false; // not of each hit
