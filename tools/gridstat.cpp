@@ -20,7 +20,6 @@
 namespace masu {
 namespace {
 
-
 struct Settings {
   std::string grid, slice, window, outline, picture, cells, occupancy;
   std::vector<double> within;
