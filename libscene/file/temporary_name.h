@@ -1,4 +1,4 @@
-// A hidden, temporary name for a file that is being written.
+// A hidden, temporary name for a file that is being written, and ends of a process, which remove them all.
 #pragma once
 
 #include <sys/stat.h>

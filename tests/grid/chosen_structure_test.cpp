@@ -271,13 +271,21 @@ TEST_F(HierarchyOfMeshesInMemory, IsThatOfTheirTrianglesWrittenOut) {
   for (std::int64_t i = cases(60); i > 0; --i) {
     const std::vector<MeshArrays> meshes = random_meshes(chance_, chance_.one_of({3, 300, 10'000}));
     const Store store = chance_.one_of({Store::automatic, Store::float32, Store::float64});
-    const ArrayScene scene = scene_of(views_of(meshes));
+    const SphereArray beside{static_cast<std::size_t>(chance_.whole(0, 20)), [](std::size_t k) {
+                               return Sphere<double>{{0.1 * static_cast<double>(k), 0, 0}, 0.3};
+                             }};
+    const ArrayScene scene = scene_of(views_of(meshes), {{beside}});
+    Scene expected_scene = written_out(meshes, scene);
+    expected_scene.spheres = scene.spheres;
+    expected_scene.sphere_surfaces = scene.sphere_surfaces;
     BuildOptions options = fast_hierarchy_options();
     options.structure.quality = chance_.one_of({HierarchyQuality::fast, HierarchyQuality::high});
     const SceneFile file = scene_in_memory(scene, store);
-    const StructureFile expected =
-        built_in_memory(scene_in_memory(written_out(meshes, scene), store), options);
+    ASSERT_EQ(file.unmade_triangles() != nullptr, scene.triangles.size() > 0);
+    const StructureFile expected = built_in_memory(
+        scene_in_memory(expected_scene, file.is_float64() ? Store::float64 : Store::float32), options);
     ASSERT_EQ(built_in_memory(file, options).hash(), expected.hash());
+    ASSERT_EQ(file.unmade_triangles(), nullptr);
     ASSERT_EQ(built_in_memory(file, options).hash(), expected.hash()) << "of triangles that are made";
   }
 }

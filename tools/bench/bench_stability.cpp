@@ -112,14 +112,13 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
 // Those that are asked for. Throws Error(usage) for one that there isn't.
 template <class AnySweep>
 std::vector<AnySweep> chosen(std::vector<AnySweep> sweeps, const Settings& settings) {
-  for (const std::string& name : settings.sweeps) {
-    std::vector<std::string> names;
-    for (const AnySweep& sweep : sweeps)
-      names.emplace_back(sweep.name);
+  std::vector<std::string> names;
+  for (const AnySweep& sweep : sweeps)
+    names.emplace_back(sweep.name);
+  for (const std::string& name : settings.sweeps)
     if (!contains(names, name))
       throw Error(ErrorCode::usage, "--sweep",
                   fmt::format("'{}' isn't one of {}", name, fmt::join(names, ", ")));
-  }
   std::erase_if(sweeps, [&](const AnySweep& sweep) { return !wanted(settings.sweeps, sweep.name); });
   return sweeps;
 }
