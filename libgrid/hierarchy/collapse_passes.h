@@ -188,7 +188,16 @@ MASU_HD inline std::uint32_t write_node(const BinaryView& binary, std::uint32_t 
   return listed;
 }
 
-// Nodes of one depth; their nodes follow each other in the next level.
+// How many records a level has, as passes know it, of which there may be room for more.
+struct LevelCount {
+  std::uint64_t room;
+  const std::uint32_t* count; // null: as many
+
+  MASU_HD std::uint64_t operator()() const { return count != nullptr ? *count : room; }
+};
+
+// Nodes of one depth; their nodes follow each other in the next level. Where there is room for more nodes
+// than there are, those have no boxes.
 template <class Executor>
 struct CollapsedLevel {
   ArrayOf<Executor, std::uint32_t> roots{}; // binary nodes
@@ -203,28 +212,34 @@ inline constexpr std::uint64_t nodes_ahead = 4;
 
 template <class Executor>
 CollapsedLevel<Executor> collapsed_level(Executor& executor, const BinaryView& binary,
-                                         ArrayOf<Executor, std::uint32_t> roots) {
+                                         ArrayOf<Executor, std::uint32_t> roots,
+                                         const std::uint32_t* root_count) {
   CollapsedLevel<Executor> level;
   const std::uint64_t count = roots.size();
+  const LevelCount known{count, root_count};
   level.roots = std::move(roots);
   level.nodes = executor.template array<CollapsedNode>(count);
   CollapsedNode* const node = level.nodes.data();
   const std::uint32_t* const root = level.roots.data();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    if (i + 2 * nodes_ahead < count) binary.prefetch_pair(root[i + 2 * nodes_ahead]);
-    if (i + nodes_ahead < count) binary.prefetch_pair(binary.nodes[root[i + nodes_ahead]].index);
-    node[i] = collapsed(binary, root[i]);
+    const std::uint64_t end = known();
+    if (i + 2 * nodes_ahead < end) binary.prefetch_pair(root[i + 2 * nodes_ahead]);
+    if (i + nodes_ahead < end) binary.prefetch_pair(binary.nodes[root[i + nodes_ahead]].index);
+    node[i] = i < end ? collapsed(binary, root[i]) : CollapsedNode{};
   });
   level.first_child =
       sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) { return count_bits(node[i].nodes); });
   return level;
 }
 
-// The binary nodes of the next level.
+// The binary nodes of the next level. Where its nodes may well be as many as there is room for, in a
+// hierarchy of so many leaves, the host doesn't wait to be told.
 template <class Executor>
-ArrayOf<Executor, std::uint32_t> child_roots(Executor& executor, const CollapsedLevel<Executor>& level) {
-  const std::uint64_t count = level.roots.size();
-  auto roots = executor.template array<std::uint32_t>(executor.value(level.first_child, count));
+ArrayOf<Executor, std::uint32_t> child_roots(Executor& executor, const CollapsedLevel<Executor>& level,
+                                             std::uint64_t leaves) {
+  const std::uint64_t count = level.roots.size(), most = boxes_per_node * count;
+  auto roots = executor.template array<std::uint32_t>(
+      boxes_per_node * most <= leaves ? most : executor.value(level.first_child, count));
   std::uint32_t* const root = roots.data();
   const CollapsedNode* const node = level.nodes.data();
   const std::uint32_t* const first_child = level.first_child.data();
@@ -270,6 +285,7 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
   PrimitiveIndex* const references = structure.references.data();
   const std::uint64_t count = level.roots.size();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    if (node[i].count == 0) return;
     if (const std::uint64_t next = i + nodes_ahead; next < count)
       for (std::uint32_t slot = 0; slot < node[next].count; ++slot)
         prefetch(binary.nodes + node[next].boxes[slot]);
@@ -286,6 +302,10 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
   return child_places;
 }
 
+struct CollapsedTotals {
+  std::uint32_t nodes, references;
+};
+
 // As a grid of the layout's space, in one voxel. What isn't read any more is freed meanwhile: this is where a
 // build takes most memory.
 template <class Executor>
@@ -298,20 +318,30 @@ ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLa
   }
   const BinaryView binary{from.nodes.data(), from.choices.data()};
   std::vector<CollapsedLevel<Executor>> levels;
-  for (auto roots = executor.template zeros<std::uint32_t>(1); roots.size() > 0;
-       roots = child_roots(executor, levels.back()))
-    levels.push_back(collapsed_level(executor, binary, std::move(roots)));
+  const std::uint32_t* root_count = nullptr;
+  for (auto roots = executor.template zeros<std::uint32_t>(1); roots.size() > 0;) {
+    levels.push_back(collapsed_level(executor, binary, std::move(roots), root_count));
+    roots = child_roots(executor, levels.back(), from.nodes.size() / 2);
+    root_count = levels.back().first_child.data() + levels.back().roots.size();
+  }
   from.choices = {};
   const auto below = [&](std::size_t level) {
     return level + 1 < levels.size() ? &levels[level + 1] : nullptr;
   };
   for (std::size_t level = levels.size(); level-- > 0;)
     count_subtrees(executor, levels[level], below(level));
-  structure.nodes = executor.template array<HierarchyNode>(executor.value(levels[0].sizes, 0));
-  structure.references = executor.template array<PrimitiveIndex>(executor.value(from.nodes, 0).count);
+  auto totals = executor.template array<CollapsedTotals>(1);
   auto places = executor.template array<NodePlace>(1);
+  CollapsedTotals* const total = totals.data();
   NodePlace* const root = places.data();
-  executor.for_each(1, [=] MASU_PASS(std::uint64_t) { *root = {0, 1, 0}; });
+  const std::uint32_t* const size = levels[0].sizes.data();
+  executor.for_each(1, [=] MASU_PASS(std::uint64_t) {
+    *total = {*size, binary.nodes[0].count};
+    *root = {0, 1, 0};
+  });
+  const CollapsedTotals all = executor.value(totals, 0);
+  structure.nodes = executor.template array<HierarchyNode>(all.nodes);
+  structure.references = executor.template array<PrimitiveIndex>(all.references);
   for (std::size_t level = 0; level < levels.size(); ++level) {
     places = write_level(executor, binary, levels[level], below(level), places, structure);
     levels[level] = {};

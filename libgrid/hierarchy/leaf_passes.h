@@ -178,10 +178,8 @@ template <class Scene>
 struct EmitParts {
   Divider<Scene> divider;
 
-  MASU_HD std::uint64_t size(std::uint64_t) const { return 1; }
   template <class Add>
-  MASU_HD void operator()(std::uint64_t i, std::uint64_t first_row, std::uint64_t, const Add& add) const {
-    if (first_row > 0) return;
+  MASU_HD void operator()(std::uint64_t i, std::uint64_t, std::uint64_t, const Add& add) const {
     const auto index = static_cast<PrimitiveIndex>(i);
     with_primitive(divider.scene, index, [&](const auto& primitive) {
       if (!has_surface(primitive)) return;

@@ -38,10 +38,12 @@ struct UploadedScene {
   }
 };
 
-// Calls act() in a thread of its own, whose device is the GPU whatever the caller's is, and which has no
-// errors of the caller's that CUB would take for its own. The caller reports while it waits.
+// Calls act(), whose device is the GPU whatever the caller's is; where the caller hasn't yet looked at an
+// error of its own, which CUB would take for act's, in another thread. The caller reports while it waits.
 template <class Act>
 auto on_gpu(int gpu, const ProgressMonitor* progress, const Act& act) {
+  const DeviceScope scope(gpu);
+  if (cudaPeekAtLastError() == cudaSuccess) return act();
   auto end = std::async(std::launch::async, [&] {
     check(cudaSetDevice(gpu));
     return act();

@@ -89,10 +89,11 @@ public:
       return cub::DeviceScan::ExclusiveScan(memory, bytes, value, value, kernels::Sum{}, T{}, count);
     });
   }
+  // What is summed up isn't computed as CUB reads it: many read far apart, and its blocks are few.
   template <class T, class Of>
   Array<T> sums(std::uint64_t count, const Of& of) const {
     auto values = array<T>(count);
-    if (count <= kernels::summed_at_once) {
+    if (count <= kernels::max_summed_by_block) {
       sum_by_block(values, of);
       return values;
     }
@@ -119,25 +120,21 @@ public:
     sort(sorted.keys, sorted.values, bits);
     return sorted;
   }
-  // Items are gone through in pieces of so many rows, so that threads share a large one.
   template <class Value, class Emit>
   std::optional<Sorted<CudaExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
                                                          std::uint64_t max_pairs, const Emit& emit) const {
-    constexpr std::uint64_t rows_per_piece = 32;
-    const auto pieces = sums<std::uint64_t>(count + 1, [=] MASU_PASS(std::uint64_t i) {
-      const std::uint64_t rows = i != count ? emit.size(i) : 0;
-      return (rows + rows_per_piece - 1) / rows_per_piece;
-    });
-    const std::uint64_t* const first_piece = pieces.data();
-    const std::uint64_t piece_count = value(pieces, count);
-
+    kernels::EmittedPieces<Emit> pieces{emit, nullptr, count};
+    std::uint64_t piece_count = count;
+    Array<std::uint64_t> first_pieces;
+    if constexpr (has_size<Emit>) {
+      first_pieces =
+          sums<std::uint64_t>(count + 1, [=] MASU_PASS(std::uint64_t i) { return pieces.of_item(i); });
+      pieces.first_piece = first_pieces.data();
+      piece_count = value(first_pieces, count);
+    }
     const auto pairs = sums<std::uint64_t>(piece_count + 1, [=] MASU_PASS(std::uint64_t piece) {
       std::uint64_t own = 0;
-      if (piece != piece_count) {
-        const std::uint64_t i = owner_of(first_piece, count, piece);
-        const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
-        emit(i, row, row + rows_per_piece, [&](std::uint64_t, const Value&) { ++own; });
-      }
+      if (piece != piece_count) pieces(piece, [&](std::uint64_t, const Value&) { ++own; });
       return own;
     });
     const std::uint64_t* const first_pair = pairs.data();
@@ -148,10 +145,8 @@ public:
     std::uint64_t* const keys = sorted.keys.data();
     Value* const values = sorted.values.data();
     for_each(piece_count, [=] MASU_PASS(std::uint64_t piece) {
-      const std::uint64_t i = owner_of(first_piece, count, piece);
-      const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
       std::uint64_t offset = first_pair[piece];
-      emit(i, row, row + rows_per_piece, [&](std::uint64_t key, const Value& value) {
+      pieces(piece, [&](std::uint64_t key, const Value& value) {
         keys[offset] = key;
         values[offset++] = value;
       });

@@ -9,7 +9,9 @@
 
 namespace masu {
 
-// What a group's threads share.
+// What a group's threads share. Of many boxes few change the one that all share: where `looks_first`, the
+// others don't wait for their turns.
+template <bool looks_first>
 struct SharedByThreads {
   __device__ void count(std::uint32_t& counter, std::uint32_t by = 1) const { atomicAdd(&counter, by); }
   __device__ void join(Boxf& box, const Boxf& other) const {
@@ -24,12 +26,14 @@ struct SharedByThreads {
 private:
   // The bits of floats, but for -0, are in their order as whole numbers from 0 on, in the opposite one below.
   __device__ static void lower(float& least, float value) {
+    if (looks_first && !(value < least)) return;
     if (value + 0 >= 0)
       atomicMin(reinterpret_cast<int*>(&least), __float_as_int(value + 0));
     else
       atomicMax(reinterpret_cast<unsigned*>(&least), __float_as_uint(value));
   }
   __device__ static void raise(float& most, float value) {
+    if (looks_first && !(value > most)) return;
     if (value + 0 >= 0)
       atomicMax(reinterpret_cast<int*>(&most), __float_as_int(value + 0));
     else
@@ -39,7 +43,7 @@ private:
 
 // Some of a warp's threads, `width` (a power of two) side by side, as thread_group.h has them.
 template <unsigned width>
-struct WarpTile : SharedByThreads {
+struct WarpTile : SharedByThreads<false> {
   __device__ std::uint32_t thread_rank() const { return threadIdx.x % width; }
   __device__ std::uint32_t size() const { return width; }
   __device__ void sync() const { __syncwarp(all()); }
@@ -90,7 +94,7 @@ __device__ Part joined_by(const WarpTile<width>& tile, Part own) {
 }
 
 // A block's threads. Candidates are the first warp's.
-struct ThreadBlock : SharedByThreads {
+struct ThreadBlock : SharedByThreads<true> {
   __device__ std::uint32_t thread_rank() const { return threadIdx.x; }
   __device__ std::uint32_t size() const { return blockDim.x; }
   __device__ void sync() const { __syncthreads(); }

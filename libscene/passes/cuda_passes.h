@@ -53,10 +53,6 @@ __global__ void __launch_bounds__(threads)
 // length is large[0].
 inline constexpr unsigned max_for_tile = 256;
 template <class Work>
-concept has_size = requires(const Work& work) {
-  work.size(0);
-};
-template <class Work>
 constexpr unsigned tile_width() {
   if constexpr (requires { Work::threads; }) return Work::threads;
   return 8;
@@ -132,11 +128,10 @@ struct Sum {
   }
 };
 
-// So few are summed up by one block, piece by piece, sooner than CUB's kernels are launched; and what is
-// summed up is computed there, too, where it is one piece.
+// So few are summed up by one block, piece by piece, sooner than by CUB's kernels.
 inline constexpr unsigned summing_threads = 512, summed_by_thread = 8,
                           summed_at_once = summing_threads * summed_by_thread,
-                          max_summed_by_block = 8 * summed_at_once;
+                          max_summed_by_block = 2 * summed_at_once;
 template <class T, class Of>
 __global__ void __launch_bounds__(summing_threads)
     sum_by_block(T* sums, unsigned count, const __grid_constant__ Of of) {
@@ -155,5 +150,29 @@ __global__ void __launch_bounds__(summing_threads)
     __syncthreads(); // the memory has been read
   }
 }
+
+// A piece of what is emitted (CudaExecutor::emit_sorted): some rows of an item, so that threads share a large
+// one; all of one without size().
+template <class Emit>
+struct EmittedPieces {
+  static constexpr std::uint64_t rows_per_piece = 32;
+  Emit emit;
+  const std::uint64_t* first_piece; // of so many items
+  std::uint64_t items;
+
+  __device__ std::uint64_t of_item(std::uint64_t i) const {
+    return i != items ? (emit.size(i) + rows_per_piece - 1) / rows_per_piece : 0;
+  }
+  template <class Add>
+  __device__ void operator()(std::uint64_t piece, const Add& add) const {
+    if constexpr (has_size<Emit>) {
+      const std::uint64_t i = owner_of(first_piece, items, piece),
+                          row = (piece - first_piece[i]) * rows_per_piece;
+      emit(i, row, row + rows_per_piece, add);
+    } else {
+      emit(piece, 0, 1, add);
+    }
+  }
+};
 
 } // namespace masu::kernels

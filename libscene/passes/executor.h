@@ -23,8 +23,9 @@
 //                                 order; equal keys by i
 //   emit_sorted<Value>(count, bits, max_pairs, emit)
 //                                 all pairs that emit(i, first_row, end_row, add) makes by add(key, value),
-//                                 for all rows 0 … emit.size(i) - 1 of i = 0 … count - 1: sorted by key, of
-//                                 `bits` bits; equal keys as emitted. None for more than max_pairs.
+//                                 for all rows 0 … emit.size(i) - 1 of i = 0 … count - 1, one without size():
+//                                 sorted by key, of `bits` bits; equal keys as emitted. None for more than
+//                                 max_pairs.
 //
 // What several threads write to at once is as libscene/base/atomic.h has it.
 #pragma once
@@ -64,5 +65,10 @@ struct Sorted {
 
 // Work that needs nothing to share.
 struct NoScratch {};
+
+template <class Work>
+concept has_size = requires(const Work& work) {
+  work.size(0);
+};
 
 } // namespace masu

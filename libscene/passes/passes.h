@@ -19,18 +19,23 @@ struct ElementOf {
   MASU_HD Part operator()(std::uint64_t i) const { return elements[i]; }
 };
 
-// The join of of(0) … of(count - 1), the same on all executors where it rounds: a thread's share is so many.
+// As joined_in_order().
 template <class Part, class Executor, class Of>
-Part joined_in_order(Executor& executor, std::uint64_t count, const Of& of) {
-  constexpr std::uint64_t share = 64;
+Part joined_by_shares(Executor& executor, std::uint64_t count, const Of& of) {
+  constexpr std::uint64_t share = 64, ahead = 8;
   const std::uint64_t parts_count = (count + share - 1) / share;
   auto parts = executor.template array<Part>(parts_count);
   Part* const part = parts.data();
   executor.for_each_part(parts_count, [=] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
-    if (end - begin == 1) { // a thread's on a device: in registers
+    if (end - begin == 1) { // a thread's on a device: in registers, with some on their way
       Part own{};
-      for (std::uint64_t i = begin; i < count; i += parts_count)
-        own = join(own, of(i));
+      for (std::uint64_t i = begin; i < count; i += ahead * parts_count) {
+        Part next[ahead];
+        for (std::uint64_t k = 0; k < ahead; ++k)
+          next[k] = i + k * parts_count < count ? of(i + k * parts_count) : Part{};
+        for (const Part& its : next)
+          own = join(own, its);
+      }
       part[begin] = own;
       return;
     }
@@ -43,7 +48,18 @@ Part joined_in_order(Executor& executor, std::uint64_t count, const Of& of) {
   });
   if (parts_count == 0) return {};
   if (parts_count == 1) return executor.value(parts, 0);
-  return joined_in_order<Part>(executor, parts_count, ElementOf<Part>{part});
+  return joined_by_shares<Part>(executor, parts_count, ElementOf<Part>{part});
+}
+
+// The join of of(0) … of(count - 1), the same on all executors where it rounds: a thread's share is so many.
+template <class Part, class Executor, class Of>
+Part joined_in_order(Executor& executor, std::uint64_t count, const Of& of) {
+  if constexpr (!Executor::has_warps) return joined_by_shares<Part>(executor, count, of);
+  // By as many threads as there are, whatever of() branches to: a thread that joins waits for memory alone.
+  auto parts = executor.template array<Part>(count);
+  Part* const part = parts.data();
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { part[i] = of(i); });
+  return joined_by_shares<Part>(executor, count, ElementOf<Part>{part});
 }
 
 // The set (atomic.h) of so many numbers, all below `end`.

@@ -13,8 +13,10 @@ std::shared_ptr<const DeviceFiles> built_files_cuda(const SceneFile& scene, int 
     constexpr std::uint32_t most_in_block = 100'000;
     std::optional<MemoryPool> temporary;
     if (files.scene.view.primitive_count() > most_in_block) temporary.emplace();
-    files.take(fast_hierarchy(files.scene.view, layout, temporary ? *temporary : files.memory.pool, device,
-                              progress));
+    auto built = fast_hierarchy(files.scene.view, layout, temporary ? *temporary : files.memory.pool, device,
+                                progress);
+    if (temporary) built = files.copied(std::move(built));
+    files.take(std::move(built));
     files.rearrange_leaves(scene);
     return kinds;
   });

@@ -40,22 +40,19 @@ struct MakeTriangles {
 template <class Stored>
 DeviceArray<Triangle<Stored>> made_on_device(const MeshTriangles& meshes, const Vec3d& origin,
                                              Transfer& upload) {
-  const auto sent = [&]<class T>(std::span<const T> array) {
-    DeviceArray<T> copy = upload.room_for<T>(array.size());
-    upload.to_device(copy.data(), array.data(), array.size_bytes());
-    return copy;
-  };
+  const Vertices& vertices = meshes.vertices();
   auto triangles = upload.room_for<Triangle<Stored>>(meshes.size());
-  const auto make = [&]<class Number>(const Number* in_host) {
-    const auto numbers = sent(std::span(in_host, 3 * meshes.vertices().count));
-    const auto indices = sent(meshes.vertices().indices);
-    const auto begins = sent(meshes.begins());
+  const auto make = [&]<class Number>(const Number* numbers) {
+    StoredTriangles<Stored, Number> made{{numbers, vertices.indices.data(), origin},
+                                         meshes.begins().data(),
+                                         meshes.begins().size(),
+                                         meshes.place()};
+    const auto kept_numbers = uploaded(made.vertices.numbers, 3 * vertices.count, upload);
+    const auto kept_indices = uploaded(made.vertices.indices, vertices.indices.size(), upload);
+    const auto kept_begins = uploaded(made.begins, made.meshes, upload);
     upload.run();
-    const StoredTriangles<Stored, Number> made{
-        {numbers.data(), indices.data(), origin}, begins.data(), begins.size(), meshes.place()};
     for_each_on_device(meshes.size(), nullptr, MakeTriangles<Stored, Number>{made, triangles.data()});
   };
-  const Vertices& vertices = meshes.vertices();
   vertices.floats != nullptr ? make(vertices.floats) : make(vertices.doubles);
   return triangles;
 }
@@ -179,8 +176,8 @@ struct DeviceFilesOf {
 
   bool is_hierarchy() const { return structure.records && structure.records->is_hierarchy; }
 
-  // A copy of a hierarchy of the scene, whose triangles are there in their order.
-  void take(StructureIn<CudaMemory> built) {
+  // A hierarchy in another pool.
+  StructureIn<CudaMemory> copied(StructureIn<CudaMemory> built) const {
     const auto copied = [&]<class T>(const DeviceArray<T>& from) {
       DeviceArray<T> to(from.size(), memory);
       if (from.size() > 0)
@@ -190,6 +187,10 @@ struct DeviceFilesOf {
     };
     built.nodes = copied(built.nodes);
     built.references = copied(built.references);
+    return built;
+  }
+  // One of the scene, whose triangles are there in their order.
+  void take(StructureIn<CudaMemory> built) {
     structure.records = built;
     structure.records->primitives = scene.view.primitive_count();
     structure.nodes = shared(std::move(built.nodes));

@@ -33,7 +33,9 @@ struct DeviceLikeExecutor : SerialExecutor {
     Array<Value> values;
     for (std::uint64_t i = 0; i < count; ++i) {
       // As if rows were shared between threads.
-      for (std::uint64_t row = 0; row < emit.size(i); row += 2) {
+      std::uint64_t rows = 1;
+      if constexpr (has_size<Emit>) rows = emit.size(i);
+      for (std::uint64_t row = 0; row < rows; row += 2) {
         emit(i, row, row + 2, [&](std::uint64_t key, const Value& value) {
           keys.push_back(key);
           values.push_back(value);

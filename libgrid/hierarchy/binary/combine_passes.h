@@ -12,11 +12,11 @@ namespace masu {
 
 // Nodes and choices of `hierarchy`, which has room for them. `levels`: of as many `ranges` as there are nodes
 // of a depth; the children of the first of them that has some are the first two of the next level, and so on.
-// They are given up, the lowest first. split_nodes() say of node i whether it is_made(i), with all that is
-// below it, then its costs(i); or is_leaf(i), then its leaf(i); else its first_child(i) in the next level,
-// and its box(i, left child, right child). number(i, first) and pair(i, first) are its own number in the
-// hierarchy and that of its left child, which the right one's follows, where levels follow each other there
-// and this or the next one begins with `first`.
+// They are given up, the lowest first. split_nodes() say of node i whether it is_there(i) at all; whether it
+// is_made(i), with all that is below it, then its costs(i); or is_leaf(i), then its leaf(i); else its
+// first_child(i) in the next level, and its box(i, left child, right child). number(i, first) and pair(i,
+// first) are its own number in the hierarchy and that of its left child, which the right one's follows, where
+// levels follow each other there and this or the next one begins with `first`.
 template <class Executor, class Level>
 void combine(Executor& executor, std::vector<Level> levels, BinaryHierarchy<Executor>& hierarchy) {
   std::uint64_t end = hierarchy.nodes.size();
@@ -30,6 +30,7 @@ void combine(Executor& executor, std::vector<Level> levels, BinaryHierarchy<Exec
     CollapseCosts* const costs = level_costs.data();
     const CollapseCosts* const below = costs_below.data();
     executor.for_each(count, [=, own = levels.back().split_nodes()] MASU_PASS(std::uint64_t i) {
+      if (!own.is_there(i)) return;
       if (own.is_made(i)) {
         costs[i] = own.costs(i);
         return;

@@ -45,6 +45,7 @@ struct DividedNodes {
   const BinaryNode* nodes;
   const RangeSums* before;
 
+  MASU_HD static bool is_there(std::uint64_t) { return true; }
   MASU_HD static bool is_made(std::uint64_t) { return false; }
   MASU_HD static CollapseCosts costs(std::uint64_t) { return {}; }
   MASU_HD static std::uint64_t number(std::uint64_t i, std::uint64_t first) { return first + i; }

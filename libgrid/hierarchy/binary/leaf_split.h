@@ -63,13 +63,24 @@ struct LeafSample {
       : count(leaves), first(std::min(leaves, std::uint32_t{most_first})),
         apart((leaves - first) / (most - most_first + 1) + 1) {}
   MASU_HD bool is_all() const { return apart == 1; }
-  // act(leaf, how many it stands for), by each of `threads` for its share.
+  // act(leaf, how many it stands for), by each of `threads` for its share. A block's are of some side by side
+  // each: neighbours are in the same bins, where threads that run together would wait for each other. A few
+  // have theirs in memory that they share, and read it side by side.
   template <class Act>
   MASU_HD void for_each(std::uint32_t thread, std::uint32_t threads, const Act& act) const {
-    for (std::uint32_t i = thread; i < first; i += threads)
-      act(i, 1U);
-    for (std::uint32_t i = first + thread * apart; i < count; i += threads * apart)
+    const auto share = [=](std::uint32_t all, const auto& each) {
+      constexpr std::uint32_t warp = 32;
+      const std::uint32_t own = (all + threads - 1) / threads;
+      const bool is_of_block = threads > warp;
+      const std::uint32_t end = is_of_block ? std::min(all, (thread + 1) * own) : all;
+      for (std::uint32_t k = is_of_block ? thread * own : thread; k < end; k += is_of_block ? 1 : threads)
+        each(k);
+    };
+    share(first, [&](std::uint32_t i) { act(i, 1U); });
+    share((count - first + apart - 1) / apart, [&](std::uint32_t k) {
+      const std::uint32_t i = first + k * apart;
       act(i, std::min(apart, count - i));
+    });
   }
 };
 

@@ -27,14 +27,15 @@ struct SplitRanges {
   const BinaryNode* leaves;
   const std::uint32_t* order; // of leaves
   const LeafRange* ranges;
+  LevelCount count;
   const Boxf* spaces;
   LeafSplit* splits;
   std::uint32_t most; // a range of more is halved, lest the hierarchy become too deep
 
   template <class ThreadGroup>
   MASU_HD void operator()(const ThreadGroup& group, Scratch& scratch, std::uint64_t i) const {
+    if (i >= count() || ranges[i].is_small()) return;
     const LeafRange range = ranges[i];
-    if (range.is_small()) return;
     const auto leaf = [&](std::uint32_t k) -> const BinaryNode& { return leaves[order[range.first + k]]; };
     LeafSplit best;
     if (range.count <= most) best = cheapest_split(group, scratch, range.count, spaces[i], leaf);
@@ -45,9 +46,11 @@ struct SplitRanges {
 // A level's nodes as combine() asks for them (combine_passes.h).
 struct SplitNodes {
   const LeafRange* ranges;
+  LevelCount count;
   const std::uint32_t *first_children, *pairs;
   const CollapseCosts* small_costs;
 
+  MASU_HD bool is_there(std::uint64_t i) const { return i < count(); }
   MASU_HD bool is_made(std::uint64_t i) const { return ranges[i].is_small(); }
   MASU_HD const CollapseCosts& costs(std::uint64_t i) const { return small_costs[ranges[i].small]; }
   MASU_HD static bool is_leaf(std::uint64_t) { return false; }
@@ -61,15 +64,18 @@ struct SplitNodes {
 };
 
 // Nodes of one depth. The children of the first that isn't small are the first two of the next level, and so
-// on.
+// on. There may be room for more than there are.
 template <class Executor>
 struct RangeLevel {
+  LevelCount count{};
   ArrayOf<Executor, LeafRange> ranges{};
   ArrayOf<Executor, Boxf> spaces{}; // in which twice the centres of a range's leaves are; until it is split
   ArrayOf<Executor, std::uint32_t> first_child{}, pairs{}; // pairs: the numbers of their left children
   const CollapseCosts* small_costs = nullptr;              // of all levels' small ranges
 
-  SplitNodes split_nodes() const { return {ranges.data(), first_child.data(), pairs.data(), small_costs}; }
+  SplitNodes split_nodes() const {
+    return {ranges.data(), count, first_child.data(), pairs.data(), small_costs};
+  }
 };
 
 // Leaves sorted by their ranges in a level; by none, those of small ones.
@@ -112,7 +118,8 @@ struct SmallList {
   }
 };
 
-// Splits the ranges of a level of that depth and sorts the leaves anew; returns the next level.
+// Splits the ranges of a level of that depth and sorts the leaves anew; returns the next level. Where that
+// may have as many ranges as there is room for, the host doesn't wait to be told.
 template <class Executor>
 RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std::uint32_t depth,
                                  RangeLevel<Executor>& level, LeafOrder<Executor>& order,
@@ -120,10 +127,16 @@ RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std
   constexpr std::uint32_t none = LeafOrder<Executor>::none;
   const std::uint64_t range_count = level.ranges.size(), count = order.leaves.size();
   const LeafRange* const range = level.ranges.data();
-  level.first_child = sums_before(executor, range_count,
-                                  [=] MASU_PASS(std::uint64_t i) { return range[i].is_small() ? 0U : 2U; });
-  const std::uint64_t child_count = executor.value(level.first_child, range_count);
-  RangeLevel<Executor> below{executor.template array<LeafRange>(child_count),
+  const LevelCount ranges_there = level.count;
+  level.first_child = sums_before(executor, range_count, [=] MASU_PASS(std::uint64_t i) {
+    return i < ranges_there() && !range[i].is_small() ? 2U : 0U;
+  });
+  const std::uint64_t most_large = count / (most_in_small + 1);
+  const bool may_be_full = most_large >> depth > 0;
+  const std::uint64_t child_count =
+      may_be_full ? 2 * std::min(range_count, most_large) : executor.value(level.first_child, range_count);
+  RangeLevel<Executor> below{{child_count, level.first_child.data() + range_count},
+                             executor.template array<LeafRange>(child_count),
                              executor.template array<Boxf>(child_count)};
   if (child_count == 0) return below;
   auto splits = executor.template array<LeafSplit>(range_count);
@@ -131,8 +144,8 @@ RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std
   const std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
   const Boxf* const space = level.spaces.data();
   LeafSplit* const split = splits.data();
-  executor.for_each_by_group(range_count,
-                             SplitRanges{leaf, ordered_leaf, range, space, split, most_leaves_split(depth)});
+  executor.for_each_by_group(range_count, SplitRanges{leaf, ordered_leaf, range, ranges_there, space, split,
+                                                      most_leaves_split(depth)});
   const auto left_sums = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
     const std::uint32_t own = range_of[i];
     return own != none && split[own].is_left(leaf[ordered_leaf[i]]);
@@ -142,8 +155,8 @@ RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std
   LeafRange* const child = below.ranges.data();
   Boxf* const child_space = below.spaces.data();
   executor.for_each(range_count, [=] MASU_PASS(std::uint64_t i) {
-    const auto [first, in_range, is_right, number] = range[i];
-    if (range[i].is_small()) return;
+    if (i >= ranges_there() || range[i].is_small()) return;
+    const std::uint32_t first = range[i].first, in_range = range[i].count;
     std::uint32_t left = left_before[first + in_range] - left_before[first];
     if (left == 0 || left == in_range) {
       split[i].axis = -1;
@@ -197,7 +210,8 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, const ArrayOf<E
   });
   SmallRanges<Executor> small(executor, count);
   const SmallList list{small.ranges.data(), small.count.data()};
-  RangeLevel<Executor> next{executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
+  RangeLevel<Executor> next{
+      {1, nullptr}, executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
   LeafRange* const all = next.ranges.data();
   Boxf* const space = next.spaces.data();
   executor.for_each(1, [=, centres = twice(cast<float>(scene_space))] MASU_PASS(std::uint64_t) {
