@@ -93,7 +93,11 @@ TEST_F(LoopChoice, ForAnyHitRaysOfOneSideAreAlikeButNotThoseAboutANormal) {
   const std::vector<Ray<float>> one_side = rays(1000, 44, 100);
   EXPECT_EQ(choice<Query::nearest_hit>(one_side), RayLoop::warp_refill);
   EXPECT_EQ(choice<Query::occlusion>(one_side), RayLoop::thread_per_ray);
-  EXPECT_EQ(choice<Query::occlusion>(rays(1000, 0, 100)), RayLoop::warp_refill);
+  // Of one list in fifty, more than are expected run as their neighbours do by chance.
+  int fetched = 0;
+  for (int list = 0; list < 9; ++list)
+    fetched += choice<Query::occlusion>(rays(1000, 0, 100)) == RayLoop::warp_refill ? 1 : 0;
+  EXPECT_GE(fetched, 5);
 }
 
 TEST_F(LoopChoice, WhereFewRaysMeetTheSceneNothingIsFetched) {
