@@ -299,13 +299,14 @@ masu_status trace_to(Number* RayResults::*array, Number* given, const char* name
 }
 
 // The array, if there is one: aligned, and written, where the program's stream still writes in a GPU's
-// memory.
+// memory. What is done with it there comes after the default stream's work.
 template <class Number>
 const Number* ready(const Number* numbers, void* stream, const char* place) {
   if (numbers == nullptr) return nullptr;
   if (reinterpret_cast<std::uintptr_t>(numbers) % sizeof(Number) != 0)
     fail(place, "aren't aligned as their numbers must be");
-  if (const int device = device_of(numbers); device != host_memory) wait_for_stream(stream, device);
+  if (const int device = device_of(numbers); device != host_memory && stream != nullptr)
+    wait_for_stream(stream, device);
   return numbers;
 }
 
