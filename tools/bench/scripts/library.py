@@ -1,12 +1,14 @@
 """What performance.sh measures through the Python module; JSON. On a GPU with PyTorch, else on all cores.
 
 library.py rates SCENE GRID PREFIX       million rays per second of queries of the sets that gridbench rays saved
-library.py arrays TRIANGLES cuda|cpu     milliseconds from arrays to the first hit, and of an update to moved vertices
 library.py answer TRIANGLES cuda|cpu     of each tracer milliseconds to prepare, with its first thousand rays, and million random
                                          rays per second; on a CPU beside Embree 3 where it is installed; with the bytes
-                                         per triangle that are taken of the memory
+                                         per triangle that are taken of the memory, and milliseconds to move all vertices
 library.py closest TRIANGLES cuda|cpu    million points per second whose distance is found; on a CPU beside Open3D where it
                                          is installed
+library.py placed PLACEMENTS cuda|cpu    million rays per second, nearest and any hits, through placed meshes, beside the same
+                                         written out, and milliseconds until those have moved
+library.py moves PLACEMENTS cuda|cpu     milliseconds until placed meshes have moved
 """
 import concurrent.futures
 import ctypes
@@ -80,35 +82,25 @@ def waves(triangles):
     """Vertices and faces of a surface with about so many triangles."""
     n = int((triangles / 2) ** 0.5) + 1
     x, y = np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n))
-    vertices = np.stack([x, y, 0.05 * np.sin(17 * x) * np.cos(23 * y)], -1).reshape(-1, 3).astype(np.float32)
+    return sheet(x, y, 0.05 * np.sin(17 * x) * np.cos(23 * y))
+
+
+def sheet(*coordinates):
+    """Vertices and faces of a surface through n x n points."""
+    n = len(coordinates[0])
     i = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
     faces = np.concatenate([np.stack([i, i + 1, i + n], 1), np.stack([i + 1, i + n + 1, i + n], 1)])
-    return vertices, faces.astype(np.uint32)
+    return np.stack(coordinates, -1).reshape(-1, 3).astype(np.float32), faces.astype(np.uint32)
 
 
-def arrays(triangles, device):
-    """Three times: the first one on a GPU creates its context."""
-    vertices, faces = waves(int(triangles))
-    ray = np.array([[0.5, 0.5, 2, 0, 0, -1]], np.float32)
-    runs = []
-    for repeat in range(3):
-        times = [time.perf_counter()]
-        scene = masu.Scene(vertices, faces)
-        times.append(time.perf_counter())
-        grid = scene.build(structure="bvh", quality="fast", device=device)
-        times.append(time.perf_counter())
-        tracer = masu.Tracer(scene, grid, device)
-        times.append(time.perf_counter())
-        assert np.isfinite(tracer.nearest(ray)["t_hit"]).all()
-        times.append(time.perf_counter())
-        runs.append({name: 1e3 * (b - a) for name, a, b in
-                     zip(("scene", "build", "tracer", "first hit"), times, times[1:])})
-    moved = {"host": vertices}
+def milliseconds_to_move(move, array, device):
+    """By the clock of the GPU, where it is on one, and by the caller's: of one of many, each over before the next."""
+    times, clocks = 3, {}
     if device != "cpu":
         import torch
-        moved["device"] = torch.as_tensor(vertices, device=device)
-    updates = {where: 1e3 * seconds_on_cpu(lambda: tracer.update(array)) for where, array in moved.items()}
-    return {"triangles": len(faces), "runs_ms": runs, "update_ms": updates}
+        array, times = torch.from_numpy(array).cuda(), 30
+        clocks["gpu"] = 1e3 * seconds_on_gpu(lambda: move(array))
+    return {**clocks, "call": 1e3 / times * seconds_on_cpu(lambda: [move(array) for repeat in range(times)])}
 
 
 class Embree:
@@ -237,6 +229,8 @@ def answer(triangles, device):
             seconds.append(seconds_on_gpu(lambda: tracer.trace(packed)) if device == "cuda" else time.perf_counter() - begin)
         hits.add(int(np.isfinite(np.asarray(t.cpu() if device == "cuda" else t)).sum()))
         found[name] = {"prepare_ms": 1e3 * statistics.median(prepared[1:]), "mrays": len(rays) / 1e6 / statistics.median(seconds)}
+        if name == "Masu":
+            found[name]["move_ms"] = milliseconds_to_move(tracer.tracer.update, vertices, device)
     assert max(hits) - min(hits) < 1e-4 * len(rays), hits
     if device == "cuda":
         taken = bytes_taken(vertices, faces)
@@ -280,8 +274,86 @@ def closest(triangles, device):
     return {"triangles": len(faces), "mpoints": found}
 
 
+def bumpy_sphere(n):
+    """Of 2 n^2 triangles."""
+    a, b = np.meshgrid(np.linspace(0, np.pi, n + 1), np.linspace(0, 2 * np.pi, n + 1), indexing="ij")
+    r = 1 + 0.1 * np.sin(7 * a) * np.cos(5 * b)
+    return sheet(r * np.sin(a) * np.cos(b), r * np.sin(a) * np.sin(b), r * np.cos(a))
+
+
+def turned(random, count, extent):
+    """Transforms (count, 3, 4) that turn, and move within the cube around the origin."""
+    a, b = random.uniform(0, 2 * np.pi, (2, count))
+    c, s, d, e = np.cos(a), np.sin(a), np.cos(b), np.sin(b)
+    rotations = np.stack([c, -s * d, s * e, s, c * d, -c * e, 0 * a, e, d], -1).reshape(-1, 3, 3)
+    return np.concatenate([rotations, random.uniform(-extent, extent, (count, 3, 1))], -1)
+
+
+class Placements:
+    """So many of 30 meshes."""
+    def __init__(self, random, count, extent=None):
+        self.extent = extent or 2 * count ** (1 / 3)
+        self.meshes = [bumpy_sphere(16 + i) for i in range(30)]
+        self.placed = [(i % 30, matrix) for i, matrix in enumerate(turned(random, count, self.extent))]
+        self.elsewhere = turned(random, count, self.extent)
+
+    def scene(self, worlds=1):
+        placements = [masu.Placement(*one, world=world) for world in range(worlds) for one in self.placed]
+        return masu.Scene(meshes=self.meshes, placements=placements)
+
+    def written_out(self):
+        return [((vertices @ matrix[:, :3].T + matrix[:, 3]).astype(np.float32), faces)
+                for mesh, matrix in self.placed for vertices, faces in [self.meshes[mesh]]]
+
+
+def moves(placements, device):
+    made = Placements(np.random.default_rng(1), int(placements))
+    with masu.Tracer(made.scene(), device=device) as tracer:
+        return {"move_ms": milliseconds_to_move(tracer.place, made.elsewhere, device)}
+
+
+def traced(scene, extent, device, worlds=1):
+    """Rates of nearest and any hits of rays from a camera and of random ones, and the tracer's bytes on a GPU."""
+    random, side = np.random.default_rng(1), 512 if device == "cpu" else 2048
+    pixels = np.stack([*np.meshgrid(*[np.arange(side) / side - 0.5] * 2), np.full((side, side), -1.0)], -1).reshape(-1, 3)
+    ends = random.uniform(-1, 1, (2, len(pixels), 3))
+    kinds = {"camera": [np.broadcast_to([0, 0, 2.5], pixels.shape), pixels], "random": [ends[0], ends[1] - ends[0]]}
+    there, seconds, free = np.asarray, seconds_on_cpu, lambda: 0
+    if device != "cpu":
+        import torch
+        there, seconds = (lambda array: torch.from_numpy(array).cuda()), seconds_on_gpu
+        free = lambda: torch.cuda.mem_get_info()[0]
+    before, found = free(), {}
+    tracer = masu.Tracer(scene, device=device)
+    found["bytes"] = before - free()
+    for kind, rays in kinds.items():
+        rays = there((np.concatenate(rays, 1) * extent).astype(np.float32))
+        options = {"coherent": kind == "camera"}
+        if worlds > 1:
+            options["worlds"] = there((np.arange(len(rays)) * worlds // len(rays)).astype(np.int32))
+        queries = (lambda: tracer.nearest(rays, fields="t_hit", **options)), (lambda: tracer.occluded(rays, **options))
+        found[kind] = [len(rays) / 1e6 / seconds(query) for query in queries]
+    return tracer, found
+
+
+def placed(placements, device):
+    random, (vertices, faces) = np.random.default_rng(1), bumpy_sphere(500)
+    many, few = Placements(random, int(placements)), Placements(random, 14, 5)
+    written = many.written_out()
+    scenes = {"placed": (many.scene(), many.extent), "written out": (masu.Scene(meshes=written), many.extent),
+              "by the identity": (masu.Scene(meshes=[(vertices, faces)], placements=[(0, np.eye(4))]), 1),
+              "not placed": (masu.Scene(vertices, faces), 1),
+              "one world": (few.scene(), 5), "4096 worlds": (few.scene(4096), 5, 4096)}
+    found = {}
+    for name, (scene, extent, *worlds) in scenes.items():
+        tracer, found[name] = traced(scene, extent, device, *worlds)
+        if name == "written out":
+            found[name]["move_ms"] = milliseconds_to_move(tracer.update, np.concatenate([of for of, _ in written]), device)
+    return found
+
+
 if __name__ == "__main__":
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    made = {"rates": rates, "arrays": arrays, "answer": answer, "peak": peak, "closest": closest}[sys.argv[1]](*sys.argv[2:])
-    print(json.dumps(made, indent=1))
+    sections = {of.__name__: of for of in (rates, answer, peak, closest, placed, moves)}
+    print(json.dumps(sections[sys.argv[1]](*sys.argv[2:]), indent=1))

@@ -6,8 +6,8 @@
 # there is a usable GPU; without one, sections that need it are left out. A command that fails costs its figures alone.
 # MASU_SECTIONS="prepare embree": only these. MASU_QUICK=1: tiny sizes, to try the script.
 # MASU_SCENES: more scene files for the section choice, as full paths, with spaces between. Needs python3, and 4 GB in
-# TMPDIR (default /tmp). The last sections aren't run unless they are named: embree (masu_cpu_rays), library, arrays,
-# answer and closest (PYTHON, an interpreter with NumPy, with a GPU PyTorch), scale (10 GB of memory and disk), gpus (several GPUs).
+# TMPDIR (default /tmp). The last sections aren't run unless they are named: embree (masu_cpu_rays), library, answer,
+# closest and placed (PYTHON, an interpreter with NumPy, with a GPU PyTorch), scale (10 GB of memory and disk), gpus (several GPUs).
 source "$(dirname "$0")/measure.sh"
 
 devices=$(if [ "$backend" = cuda ]; then echo cuda cpu; else echo cpu; fi)
@@ -181,16 +181,11 @@ library() {
     rm -f rays.*
   done
 }
-arrays() {
+by_size() { # SECTION COUNT…: of so many triangles or placements
+  local device count
   for device in $devices; do
-    module record arrays "$device" "${PYTHON:-python3}" -B "$here/library.py" arrays "$(full 2097152 1000)" "$device"
-  done
-}
-by_size() { # SECTION TRIANGLES…: of that many
-  local device triangles
-  for device in $devices; do
-    for triangles in "${@:2}"; do
-      module record "$1" "$device.$triangles" "${PYTHON:-python3}" -B "$here/library.py" "$1" "$triangles" "$device"
+    for count in "${@:2}"; do
+      module record "$1" "$device.$count" "${PYTHON:-python3}" -B "$here/library.py" "$1" "$count" "$device"
     done
   done
 }
@@ -198,6 +193,12 @@ by_size() { # SECTION TRIANGLES…: of that many
 answer() { by_size answer $(full '20000 200000 2000000 8000000' 1000); } # on a GPU, too, what its memory holds
 # shellcheck disable=SC2046
 closest() { by_size closest $(full '20000 200000 2000000' 1000); }
+# shellcheck disable=SC2046
+placed() {
+  local devices=$backend
+  by_size placed $(full 10000 20)
+  by_size moves $(full '4096 131072' 20)
+}
 # Time and memory by the size of the scene.
 scale() {
   local limit=3600 n

@@ -245,14 +245,8 @@ def tables(results):
                              *(f"{rate:.4g}" for name, rate in rates.items() if name != "nearest"), f"{hits:.2f}"])
         return table(["scene, rays", "gridbench", "nearest (its ratio)", *names[1:], "hits per ray"], rows)
 
-    def arrays():
-        rows = []
-        for place, run in runs["arrays"].items():
-            last, updates = run["output"]["runs_ms"][-1], run["output"]["update_ms"]
-            rows.append([place, f"{run['output']['triangles']:,}", *(f"{part:.3g}" for part in last.values()),
-                         f"{sum(last.values()):.3g}", "; ".join(f"{ms:.3g} ({where})" for where, ms in updates.items())])
-        return table(["on", "triangles", "scene, ms", "build, ms", "tracer, ms", "first hit, ms", "all, ms", "update from, ms"],
-                     rows)
+    def moved(output):
+        return figure(lambda: joined(output["move_ms"].values(), ".3g"), "{}")
 
     def answer():
         rows, tracers = [], ("Masu", "Masu, `high`", "Embree, medium", "Embree, high", "cuBQL, median", "cuBQL, SAH")
@@ -264,8 +258,9 @@ def tables(results):
                 peer = ANSWERS.get(size, [])
                 cells |= {f"cuBQL, {how}": ", ".join(pair) for how, pair in zip(("median", "SAH"), (peer[:2], peer[2:])) if pair}
             rows.append([f"{found['triangles']:,}, " + (machine["device"] if device == "cuda" else f"{machine['cores']} cores"),
-                         *(cells.get(name, "-") for name in tracers), joined(found["bytes_a_triangle"].values())])
-        return table(["triangles, on", *tracers, "bytes a triangle"], rows)
+                         *(cells.get(name, "-") for name in tracers), joined(found["bytes_a_triangle"].values()),
+                         moved(found["tracers"]["Masu"])])
+        return table(["triangles, on", *tracers, "bytes a triangle", "moved, ms"], rows)
 
     def closest():
         columns = ("cuda", "Masu"), ("cpu", "Masu"), ("cpu", "Open3D")
@@ -277,6 +272,20 @@ def tables(results):
                 cells[size, device, name] = joined(rates.values(), ".3g")
         return table(["triangles", machine.get("device", "GPU"), f"{machine['cores']} cores", f"Open3D, {machine['cores']} cores"],
                      [[triangles, *(cells.get((size, *column), "-") for column in columns)] for size, triangles in sizes.items()])
+
+    def placed():
+        rows = []
+        for key, run in runs["placed"].items():
+            found, count = run["output"], key.partition(".")[2]
+            for name, text in (("placed", f"{int(count):,} placements of 30 meshes"), ("written out", "the same written out"),
+                               ("by the identity", "a mesh placed by the identity"), ("not placed", "not placed"),
+                               ("one world", "14 placements"), ("4096 worlds", "14 in each of 4096 worlds")):
+                of = found[name]
+                rows.append([text, *(joined(of[kind]) for kind in ("camera", "random")),
+                             f"{of['bytes'] * 1e-6:.0f}", moved(of)])
+        rows += [[f"{int(key.partition('.')[2]):,} placements", "-", "-", "-", moved(run["output"])]
+                 for key, run in runs["moves"].items()]
+        return table(["", "camera: nearest, any", "random: nearest, any", "MB", "moved, ms"], rows)
 
     def scale():
         tools = {"nff2bin": "nff2bin, from a pipe", "irregular": "gridbuild --merge irregular",
@@ -303,7 +312,7 @@ def tables(results):
                 for (work, n), times in sorted(whole.items(), reverse=True)]
         return table(["work", "GPUs" if cuda else "threads", "s", "speed-up"], rows)
 
-    makers = readme, views, choice, cells, hierarchies, peers, load, builds, embree, library, arrays, answer, closest, scale, gpus
+    makers = readme, views, choice, cells, hierarchies, peers, load, builds, embree, library, answer, closest, placed, scale, gpus
     return {"head": head(results), **made_by(makers)}
 
 
