@@ -127,7 +127,8 @@ def run_script(description, tables, gather_more=lambda results, folder: None):
         text = made[found[2]]
         if text.startswith(NOT_MEASURED):
             return text
-        return "it has more figures" if text.count("| - ") > found[0].count("| - ") else ""
+        has_table = "|---" in found[0]
+        return "it has more figures" if has_table and text.count("| - ") > found[0].count("| - ") else ""
 
     def filled(found):
         why = why_stays(found) or ("other tables do" if found[2] == "head" and some_stay else "")
