@@ -1,5 +1,6 @@
 // Builds that their progress ends, at any time.
 #include "libgrid/structure/chosen_structure.h"
+#include "libscene/base/stopwatch.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/same_grid.h"
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <thread>
 
 namespace masu {
 namespace {
@@ -16,8 +18,9 @@ struct Ended {};
 template <class Stored>
 class EndedBuild : public RandomTest {
 protected:
-  EndedBuild() {
-    for (int i = 0; i < 4000; ++i) {
+  EndedBuild() { add_triangles(4000); }
+  void add_triangles(int count) {
+    for (int i = 0; i < count; ++i) {
       const Vec3d at = chance_.in_cube(1);
       const auto near = [&] { return cast<Stored>(at + chance_.in_cube(0.05)); };
       scene_.triangles.push_back(triangle_of(near(), near(), near()));
@@ -62,6 +65,29 @@ TYPED_TEST(EndedBuild, ThrowsWhatItsProgressThrowsAndTheNextIsAsEver) {
                    Ended);
     }
     expect_same(expected, this->built(options, {}));
+  }
+}
+
+// So many that threads share nodes, too: what one has ended must not be gone on with by another.
+TYPED_TEST(EndedBuild, OfAHierarchyOfManyTrianglesEndsAtAnyMoment) {
+  this->add_triangles(250'000);
+  const std::thread::id caller = std::this_thread::get_id(); // the others learn of it from TBB alone
+  for (const HierarchyQuality quality : {HierarchyQuality::fast, HierarchyQuality::high}) {
+    BuildOptions options;
+    options.structure = {StructureKind::hierarchy};
+    options.structure.quality = quality;
+    const Stopwatch watch;
+    this->built(options, {});
+    const double whole = watch.seconds();
+    for (std::int64_t i = cases(5); i > 0; --i) {
+      const double end = watch.seconds() + this->chance_.uniform(0, whole);
+      try {
+        this->built(options, [&](double) {
+          if (std::this_thread::get_id() == caller && watch.seconds() > end) throw Ended();
+        });
+      } catch (const Ended&) {
+      }
+    }
   }
 }
 

@@ -79,16 +79,19 @@ private:
     if (range.count <= fragments_per_task) {
       added(range.begin(), range.end(), sum);
     } else {
-      sum = tbb::parallel_reduce(
-          tbb::blocked_range<const BinaryNode*>(range.begin(), range.end(), fragments_per_task), sum,
-          [&](const auto& part, Sum so_far) {
-            added(part.begin(), part.end(), so_far);
-            return so_far;
-          },
-          [&](Sum a, const Sum& b) {
-            a.join(b);
-            return a;
-          });
+      run_whole([&](auto& context) {
+        sum = tbb::parallel_reduce(
+            tbb::blocked_range<const BinaryNode*>(range.begin(), range.end(), fragments_per_task), sum,
+            [&](const auto& part, Sum so_far) {
+              added(part.begin(), part.end(), so_far);
+              return so_far;
+            },
+            [&](Sum a, const Sum& b) {
+              a.join(b);
+              return a;
+            },
+            context);
+      });
     }
     return sum;
   }
@@ -335,8 +338,10 @@ private:
       right_costs = split(left + 1, halves.right, depth + 1, of_thread);
     };
     if (range.count > 1024) {
-      tbb::parallel_invoke([&] { split_left(numbers_.of_thread()); },
-                           [&] { split_right(numbers_.of_thread()); });
+      run_whole([&](auto& context) {
+        tbb::parallel_invoke([&] { split_left(numbers_.of_thread()); },
+                             [&] { split_right(numbers_.of_thread()); }, context);
+      });
       give_back(range.first, std::size_t{range.count} + range.places);
     } else {
       split_left(own);

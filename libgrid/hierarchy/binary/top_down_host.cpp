@@ -101,7 +101,7 @@ private:
     const auto build_right = [&] { right_costs = build(right, spaces.right, depth + 1, pair + 1); };
     if (range.count > leaves_per_task) {
       check_progress(progress_);
-      tbb::parallel_invoke(build_left, build_right);
+      run_whole([&](auto& context) { tbb::parallel_invoke(build_left, build_right, context); });
       give_back(among_leaves(range.first), range.count);
     } else {
       build_left();
