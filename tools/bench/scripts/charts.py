@@ -96,7 +96,7 @@ def draw_answer(docs):
         triangles, processor = what.split(", ")
         panels = points.setdefault(processor, [])
         panel = panels[-1][0] + 1 if panels else 1
-        for line, cell in enumerate(cells[:-1], 1):
+        for line, cell in enumerate(cells[:-2], 1):  # but bytes and moves
             if cell != "-":
                 prepare, rate = (float(n) for n in cell.split(", "))
                 panels.extend([panel, triangles.replace(",", ""), line, 10**(k / 4), prepare * 1e-3 + 10**(k / 4) / rate * 1e-6]

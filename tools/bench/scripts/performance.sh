@@ -31,7 +31,7 @@ scenes() {
 # A line for each grid beside the automatic one: its name, the options of gridbuild.
 grids() {
   local n
-  for n in 16 32 $(full 64 '') auto; do echo "none-$n:--merge none --division $n"; done
+  for n in 32 auto; do echo "none-$n:--merge none --division $n"; done
   echo "irregular:--merge irregular"
 }
 
@@ -147,7 +147,7 @@ hierarchies() {
 }
 cells() {
   for name in "${standard[@]}"; do
-    for grid in .none-{16,32,64,auto} .irregular -bvh; do
+    for grid in .none-{32,auto} .irregular -bvh; do
       [ -e "$name$grid.grid" ] || continue
       record cells "$name$grid" gridrender "$name.scene" "$name$grid.grid" --backend cpu \
         --size "$(full 256x256 32x32)" --spd-rules --stats - -q

@@ -188,7 +188,7 @@ def tables(results):
             stats = output("cells", f"{s}{grid}")
             rays = sum(stats[f"{kind}_rays"] for kind in ("eye", "reflection", "refraction", "shadow"))
             return (stats["cells_visited"] + sum(stats["intersection_tests"].values())) / rays
-        grids = [*(f".none-{n}" for n in (16, 32, 64, "auto")), ".irregular", "-bvh"]
+        grids = [*(f".none-{n}" for n in (32, "auto")), ".irregular", "-bvh"]
         rows = [[f"`{grid[1:].replace('-', ', ')}`", *(figure(lambda: cost(s, grid), "{:.1f}") for s in STANDARD)]
                 for grid in grids]
         return table(["`--merge`, `--division`", *STANDARD],
@@ -274,17 +274,17 @@ def tables(results):
                      [[triangles, *(cells.get((size, *column), "-") for column in columns)] for size, triangles in sizes.items()])
 
     def placed():
-        rows = []
+        rows, moves = [], runs["moves"].values()
         for key, run in runs["placed"].items():
-            found, count = run["output"], key.partition(".")[2]
-            for name, text in (("placed", f"{int(count):,} placements of 30 meshes"), ("written out", "the same written out"),
-                               ("by the identity", "a mesh placed by the identity"), ("not placed", "not placed"),
-                               ("one world", "14 placements"), ("4096 worlds", "14 in each of 4096 worlds")):
-                of = found[name]
-                rows.append([text, *(joined(of[kind]) for kind in ("camera", "random")),
-                             f"{of['bytes'] * 1e-6:.0f}", moved(of)])
-        rows += [[f"{int(key.partition('.')[2]):,} placements", "-", "-", "-", moved(run["output"])]
-                 for key, run in runs["moves"].items()]
+            found, count = run["output"], int(key.partition(".")[2])
+            for names, text in ((("placed",), f"{count:,} placements of 30 meshes"), (("written out",), "the same written out"),
+                                (("by the identity",), "a mesh placed by the identity"), (("not placed",), "not placed"),
+                                (("one world", "4096 worlds"), "14 placements; in each of 4096 worlds")):
+                of = [found[name] for name in names]
+                rows.append([text, *("; ".join(joined(one[kind], ".4g") for one in of) for kind in ("camera", "random")),
+                             f"{of[-1]['bytes'] * 1e-6:.0f}", moved(of[-1])])
+        counts = "; ".join(f"{int(key.partition('.')[2]):,}" for key in runs["moves"])
+        rows.append([f"{counts} placements", "-", "-", "-", "; ".join(moved(run["output"]) for run in moves)])
         return table(["", "camera: nearest, any", "random: nearest, any", "MB", "moved, ms"], rows)
 
     def scale():
