@@ -77,7 +77,7 @@ TYPED_TEST(EndedBuild, OfAHierarchyOfManyTrianglesEndsAtAnyMoment) {
     options.structure = {StructureKind::hierarchy};
     options.structure.quality = quality;
     const Stopwatch watch;
-    this->built(options, {});
+    const Structure expected = this->built(options, {});
     const double whole = watch.seconds();
     for (std::int64_t i = cases(5); i > 0; --i) {
       const double end = watch.seconds() + this->chance_.uniform(0, whole);
@@ -88,6 +88,7 @@ TYPED_TEST(EndedBuild, OfAHierarchyOfManyTrianglesEndsAtAnyMoment) {
       } catch (const Ended&) {
       }
     }
+    expect_same(expected, this->built(options, {}));
   }
 }
 
