@@ -1,11 +1,13 @@
 // Builds that their progress ends, at any time.
 #include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/stopwatch.h"
+#include "libscene/base/whole_work.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <thread>
@@ -68,6 +70,27 @@ TYPED_TEST(EndedBuild, ThrowsWhatItsProgressThrowsAndTheNextIsAsEver) {
   }
 }
 
+TEST(WholeWork, ThrowsWherePartOfItIsLeftOut) {
+  const auto done_of = [](int tasks) {
+    std::atomic<int> done = 0;
+    run_whole([&](auto& context) {
+      tbb::parallel_for(
+          0, tasks, [&](int) { ++done; }, context);
+    });
+    return done.load();
+  };
+  EXPECT_EQ(done_of(1000), 1000);
+  tbb::task_group_context outer;
+  tbb::parallel_for(
+      0, 1,
+      [&](int) {
+        EXPECT_EQ(done_of(1000), 1000);
+        outer.cancel_group_execution();
+        EXPECT_THROW(static_cast<void>(done_of(1000)), Error);
+      },
+      outer);
+}
+
 // So many that threads share nodes, too: what one has ended must not be gone on with by another.
 TYPED_TEST(EndedBuild, OfAHierarchyOfManyTrianglesEndsAtAnyMoment) {
   this->add_triangles(250'000);
@@ -79,15 +102,18 @@ TYPED_TEST(EndedBuild, OfAHierarchyOfManyTrianglesEndsAtAnyMoment) {
     const Stopwatch watch;
     const Structure expected = this->built(options, {});
     const double whole = watch.seconds();
+    int ended = 0;
     for (std::int64_t i = cases(5); i > 0; --i) {
-      const double end = watch.seconds() + this->chance_.uniform(0, whole);
+      const double end = watch.seconds() + (ended > 0 ? this->chance_.uniform(0, whole) : 0);
       try {
         this->built(options, [&](double) {
           if (std::this_thread::get_id() == caller && watch.seconds() > end) throw Ended();
         });
       } catch (const Ended&) {
+        ++ended;
       }
     }
+    EXPECT_GT(ended, 0);
     expect_same(expected, this->built(options, {}));
   }
 }
