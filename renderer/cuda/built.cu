@@ -9,13 +9,15 @@ std::shared_ptr<const DeviceFiles> built_files_cuda(const SceneFile& scene, int 
   return files_on(device, scene, nullptr, [&]<class Stored>(DeviceFilesOf<Stored>& files, Transfer&) {
     const unsigned kinds = checked_kinds(files, scene);
     const auto layout = layout_in<Stored>(scene.bounds(), {1, 1, 1}, SpaceRule::tight);
-    // What is kept would lie scattered among what building took, where that is more than a block of a pool.
-    constexpr std::uint32_t most_in_block = 100'000;
+    // What is kept would lie scattered among what building took, where that is more than a block of a pool. A
+    // pool of its own takes some .5 ms, one for both up to 32 MB more.
+    constexpr std::uint32_t most_in_block = 100'000, most_in_pool = 1'000'000;
+    const std::uint64_t count = files.scene.view.primitive_count();
     std::optional<MemoryPool> temporary;
-    if (files.scene.view.primitive_count() > most_in_block) temporary.emplace();
+    if (count > most_in_pool) temporary.emplace();
     auto built = fast_hierarchy(files.scene.view, layout, temporary ? *temporary : files.memory.pool, device,
                                 progress);
-    if (temporary) built = files.copied(std::move(built));
+    if (count > most_in_block) built = files.copied(std::move(built));
     files.take(std::move(built));
     files.rearrange_leaves(scene);
     return kinds;

@@ -10,10 +10,12 @@
 namespace masu {
 
 // Looking takes some 8 us, which is worth it for as many rays. Of fewer, closest hits are found by
-// warp_refill.
-inline constexpr std::uint64_t min_rays_looked_at = std::uint64_t{1} << 19;
-constexpr RayLoop loop_of_few(Query query) {
-  return query == Query::nearest_hit ? RayLoop::warp_refill : RayLoop::thread_per_ray;
+// warp_refill, where there are some to fetch.
+inline constexpr std::uint64_t min_rays_looked_at = std::uint64_t{1} << 19,
+                               min_rays_fetched = std::uint64_t{1} << 17;
+constexpr RayLoop loop_of_few(Query query, std::uint64_t count) {
+  return query == Query::nearest_hit && count >= min_rays_fetched ? RayLoop::warp_refill
+                                                                  : RayLoop::thread_per_ray;
 }
 
 // Whether a loop is that of the list: one that the host chose (null) is.
@@ -59,7 +61,7 @@ __global__ void choose_loop_kernel(const SceneView<Stored> scene, const Ray<Real
   // they end as differently as diffuse ones.
   constexpr int most_eighths = query == Query::occlusion ? 7 : 6;
   const bool mostly_coherent = 8 * coherent > most_eighths * meeting,
-             mostly_away = 4 * meeting < warps_looked_at * lanes_per_warp;
+             mostly_away = 5 * meeting < 2 * warps_looked_at * lanes_per_warp;
   *chosen = mostly_coherent || mostly_away ? RayLoop::thread_per_ray : RayLoop::warp_refill;
 }
 

@@ -154,7 +154,7 @@ template <Query query, class M, class Stored, class Hierarchy>
 KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy, RayLoop loop,
                               const RayBatch<typename M::Real>& batch) {
   using Real = typename M::Real;
-  if (loop == RayLoop::automatic && batch.count < min_rays_looked_at) loop = loop_of_few(query);
+  if (loop == RayLoop::automatic && batch.count < min_rays_looked_at) loop = loop_of_few(query, batch.count);
   if (loop == RayLoop::warp_refill) return trace_by_refill<query, M>(files, hierarchy, batch);
   if (loop != RayLoop::automatic) {
     batch.begin();
