@@ -112,6 +112,7 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
     const Boxf whole = box_around(bounds(primitive), margin);
     const double own = empty_width(primitive),
                  cuts = own > 0 ? std::min(cuts_per_width * own / mean_width, double{max_cuts}) : 0;
+    if (cuts < 1) return act(whole); // most are: without the stack, from which they would be read at once
     stack[0] = {whole, static_cast<std::uint32_t>(cuts)};
     for (int height = 1; height > 0;) {
       const Part part = stack[--height];

@@ -44,7 +44,7 @@ public:
   }
   template <class Act>
   void for_each_part(std::uint64_t count, const Act& act) const {
-    in_parts(count, 1024, act);
+    in_parts(count, std::clamp<std::uint64_t>(count / 64, 16, 1024), act); // of few, still some for each core
   }
   template <class Work>
   void for_each_by_group(std::uint64_t count, const Work& work) const {
