@@ -10,6 +10,8 @@
 
 namespace masu {
 
+class MeshTriangles; // libscene/mesh/indexed_mesh.h
+
 // What building on a device took: initialising it, uploading the primitives, building, and downloading the
 // grids.
 struct DeviceSeconds {
@@ -50,13 +52,19 @@ template <class Stored>
 std::unique_ptr<StructureBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
                                                       std::function<void(double)> progress = {});
 
+// Triangles that a device makes of their meshes, and a scene's view doesn't have: for hierarchies alone.
+struct UnmadeTriangles {
+  const MeshTriangles* meshes;
+  Vec3d origin; // the scene's
+};
+
 // On a CUDA device, which is the thread's current one until the builder is destroyed. `is_timed`: all code is
 // brought to the device first, so that device_seconds() are of building alone. Throws Error(device) where
 // there is none, and when it fails.
 template <class Stored>
-std::unique_ptr<StructureBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device = 0,
-                                                       std::function<void(double)> progress = {},
-                                                       bool is_timed = true);
+std::unique_ptr<StructureBuilder<Stored>>
+cuda_builder(const SceneView<Stored>& scene, int device = 0, std::function<void(double)> progress = {},
+             bool is_timed = true, const UnmadeTriangles* unmade = nullptr);
 
 // On the CPU.
 template <class Stored>

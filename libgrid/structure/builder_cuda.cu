@@ -9,8 +9,8 @@
 #include "libgrid/structure/builder.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
-#include "libscene/cuda/device_records.h"
 #include "libscene/geometry/margin.h"
+#include "libscene/mesh/device_triangles.h"
 #include "libscene/mesh/move_passes.h"
 #include "libscene/passes/cuda_executor.h"
 
@@ -21,7 +21,8 @@
 namespace masu {
 namespace {
 
-// A scene whose primitives are on the device, and nothing else of it.
+// A scene whose primitives are on the device, and nothing else of it; triangles of `unmade` where that isn't
+// null.
 template <class Stored>
 struct UploadedScene {
   SceneView<Stored> view;
@@ -30,11 +31,14 @@ struct UploadedScene {
   DeviceArray<Sphere<Stored>> spheres;
   DeviceArray<Cone<Stored>> cones;
 
-  UploadedScene(const SceneView<Stored>& host, cudaMemPool_t pool)
-      : view(host), upload(pool), triangles(uploaded(view.triangles, view.triangle_count, upload)),
+  UploadedScene(const SceneView<Stored>& host, cudaMemPool_t pool, const UnmadeTriangles* unmade = nullptr)
+      : view(host), upload(pool),
+        triangles(unmade != nullptr ? made_on_device<Stored>(*unmade->meshes, unmade->origin, upload)
+                                    : uploaded(view.triangles, view.triangle_count, upload)),
         spheres(uploaded(view.spheres, view.sphere_count, upload)),
         cones(uploaded(view.cones, view.cone_count, upload)) {
     upload.run();
+    view.triangles = triangles.data();
   }
 };
 
@@ -67,7 +71,8 @@ ExecutorStructure<CudaExecutor> hierarchy(CudaExecutor& executor, const SceneVie
 template <class Stored>
 class CudaBuilder final : public StructureBuilder<Stored> {
 public:
-  CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress, bool is_timed)
+  CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress, bool is_timed,
+              const UnmadeTriangles* unmade)
       : StructureBuilder<Stored>(std::move(progress)), host_(scene), gpu_(gpu) {
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
@@ -77,7 +82,7 @@ public:
       executor_ = std::make_unique<CudaExecutor>(*pool_, &this->progress());
       if (is_timed) warm_up();
       seconds_.set_up = watch.seconds();
-      device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_);
+      device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_, unmade);
       seconds_.upload = watch.seconds() - seconds_.set_up;
     });
   }
@@ -228,12 +233,13 @@ template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const 
 
 template <class Stored>
 std::unique_ptr<StructureBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device,
-                                                       std::function<void(double)> progress, bool is_timed) {
-  return std::make_unique<CudaBuilder<Stored>>(scene, device, std::move(progress), is_timed);
+                                                       std::function<void(double)> progress, bool is_timed,
+                                                       const UnmadeTriangles* unmade) {
+  return std::make_unique<CudaBuilder<Stored>>(scene, device, std::move(progress), is_timed, unmade);
 }
-template std::unique_ptr<StructureBuilder<float>> cuda_builder(const SceneView<float>&, int,
-                                                               std::function<void(double)>, bool);
-template std::unique_ptr<StructureBuilder<double>> cuda_builder(const SceneView<double>&, int,
-                                                                std::function<void(double)>, bool);
+template std::unique_ptr<StructureBuilder<float>>
+cuda_builder(const SceneView<float>&, int, std::function<void(double)>, bool, const UnmadeTriangles*);
+template std::unique_ptr<StructureBuilder<double>>
+cuda_builder(const SceneView<double>&, int, std::function<void(double)>, bool, const UnmadeTriangles*);
 
 } // namespace masu

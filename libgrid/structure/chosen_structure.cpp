@@ -5,9 +5,11 @@
 #include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
+#include "libscene/base/whole_work.h"
 #include "libscene/mesh/indexed_mesh.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -331,13 +333,32 @@ Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, cons
   });
 }
 
+// The same on a device, while the host makes the triangles, for their hash.
+Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, const BuildOptions& options,
+                       const std::function<void(double)>& progress, int cuda_device) {
+  Structure hierarchy;
+  run_whole([&](auto& context) {
+    const auto build = [&] {
+      const UnmadeTriangles unmade{&meshes, scene.origin()};
+      hierarchy = scene.with_view_but_triangles([&](const auto& others) {
+        const auto builder = cuda_builder(others, cuda_device, progress, false, &unmade);
+        return hierarchy_of(*builder, scene.bounds(), options);
+      });
+    };
+    tbb::parallel_invoke(
+        build, [&] { scene.make_whole(); }, context);
+  });
+  return hierarchy;
+}
+
 } // namespace
 
 StructureFile built_in_memory(const SceneFile& scene, const BuildOptions& options,
                               const std::function<void(double)>& progress, std::optional<int> cuda_device) {
-  if (options.structure.kind == StructureKind::hierarchy && !cuda_device) {
+  if (options.structure.kind == StructureKind::hierarchy) {
     if (auto meshes = scene.unmade_triangles()) {
-      const Structure hierarchy = hierarchy_of(scene, *meshes, options, progress);
+      const Structure hierarchy = cuda_device ? hierarchy_of(scene, *meshes, options, progress, *cuda_device)
+                                              : hierarchy_of(scene, *meshes, options, progress);
       meshes.reset(); // they go when the triangles are made, for the hash
       return structure_in_memory(
           hierarchy, provenance_of(scene.geometry(), scene.primitive_count(), options, hierarchy));

@@ -8,8 +8,7 @@
 #include "libscene/base/atomic.h"
 #include "libscene/cuda/device_records.h"
 #include "libscene/geometry/margin.h"
-#include "libscene/mesh/indexed_mesh.h"
-#include "libscene/mesh/stored_triangles.h"
+#include "libscene/mesh/device_triangles.h"
 #include "libscene/scene_view.h"
 #include "renderer/cuda/kernel.h"
 #include "renderer/dispatch.h"
@@ -27,34 +26,6 @@ using SharedArrays = std::vector<std::shared_ptr<const void>>;
 template <class T>
 std::shared_ptr<const void> shared(DeviceArray<T> array) {
   return std::make_shared<const DeviceArray<T>>(std::move(array));
-}
-
-// Makes a scene's triangles from its meshes, whose vertices are uploaded with whatever is waiting.
-template <class Stored, class Number>
-struct MakeTriangles {
-  StoredTriangles<Stored, Number> made;
-  Triangle<Stored>* to;
-
-  __device__ void operator()(std::uint64_t i) const { to[i] = made(i); }
-};
-template <class Stored>
-DeviceArray<Triangle<Stored>> made_on_device(const MeshTriangles& meshes, const Vec3d& origin,
-                                             Transfer& upload) {
-  const Vertices& vertices = meshes.vertices();
-  auto triangles = upload.room_for<Triangle<Stored>>(meshes.size());
-  const auto make = [&]<class Number>(const Number* numbers) {
-    StoredTriangles<Stored, Number> made{{numbers, vertices.indices.data(), origin},
-                                         meshes.begins().data(),
-                                         meshes.begins().size(),
-                                         meshes.place()};
-    const auto kept_numbers = uploaded(made.vertices.numbers, 3 * vertices.count, upload);
-    const auto kept_indices = uploaded(made.vertices.indices, vertices.indices.size(), upload);
-    const auto kept_begins = uploaded(made.begins, made.meshes, upload);
-    upload.run();
-    for_each_on_device(meshes.size(), nullptr, MakeTriangles<Stored, Number>{made, triangles.data()});
-  };
-  vertices.floats != nullptr ? make(vertices.floats) : make(vertices.doubles);
-  return triangles;
 }
 
 template <class Stored>

@@ -534,6 +534,8 @@ TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
     options.structure = MASU_STRUCTURE_BVH;
     options.quality = engine_() % 2 == 0 ? MASU_QUALITY_FAST : MASU_QUALITY_HIGH;
     const masu::Grid grid(scene, options);
+    options.device = 0; // which makes the triangles itself
+    EXPECT_EQ(bytes_of(masu::Grid(masu::Scene(geometry), options)), bytes_of(grid));
     const bool is_built = engine_() % 2 == 0; // by the tracer, on the GPU
     masu::Tracer cpu(scene, grid), gpu = is_built ? masu::Tracer(scene, 0) : masu::Tracer(scene, grid, 0);
     const masu::Bytes before = is_built ? bytes_of(masu::Tracer(scene).grid()) : bytes_of(grid);
