@@ -345,8 +345,8 @@ Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, cons
         return hierarchy_of(*builder, scene.bounds(), options);
       });
     };
-    tbb::parallel_invoke(
-        build, [&] { scene.make_whole(); }, context);
+    // The last one is the caller's thread's, which CUDA knows.
+    tbb::parallel_invoke([&] { scene.make_whole(); }, build, context);
   });
   return hierarchy;
 }
