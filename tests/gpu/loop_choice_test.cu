@@ -101,7 +101,7 @@ TEST_F(LoopChoice, ForAnyHitRaysOfOneSideAreAlikeButNotThoseAboutANormal) {
 }
 
 TEST_F(LoopChoice, WhereFewRaysMeetTheSceneNothingIsFetched) {
-  const std::vector<Ray<float>> few = rays(1000, 180, 33), many = rays(1000, 180, 50);
+  const std::vector<Ray<float>> few = rays(1000, 180, 10), many = rays(1000, 180, 50);
   EXPECT_EQ(choice<Query::nearest_hit>(few), RayLoop::thread_per_ray);
   EXPECT_EQ(choice<Query::nearest_hit>(many), RayLoop::warp_refill);
 }

@@ -61,7 +61,7 @@ __global__ void choose_loop_kernel(const SceneView<Stored> scene, const Ray<Real
   // they end as differently as diffuse ones.
   constexpr int most_eighths = query == Query::occlusion ? 7 : 6;
   const bool mostly_coherent = 8 * coherent > most_eighths * meeting,
-             mostly_away = 5 * meeting < 2 * warps_looked_at * lanes_per_warp;
+             mostly_away = 4 * meeting < warps_looked_at * lanes_per_warp;
   *chosen = mostly_coherent || mostly_away ? RayLoop::thread_per_ray : RayLoop::warp_refill;
 }
 
