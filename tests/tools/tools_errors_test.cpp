@@ -482,7 +482,9 @@ TEST_F(ToolErrors, ControlCharactersOfTextsAreEscaped) {
 // Results may have been found on a CPU for want of a GPU: that is said with them, and not before an error.
 TEST_F(ToolErrors, AreLinesAlone) {
   const std::string none = file("none.scene"), grid = file("none.grid");
-  EXPECT_TRUE(fails(2, "gridview", {none, grid}, none));
+  if (std::string_view(MASU_TOOLS).find("gridview") != std::string_view::npos) { // where it is built
+    EXPECT_TRUE(fails(2, "gridview", {none, grid}, none));
+  }
   EXPECT_TRUE(fails(2, "gridbench", {"crossings", none, grid}, none));
   EXPECT_TRUE(fails(2, "gridbench", {"rays", none, grid}, none));
   EXPECT_TRUE(fails(2, "gridbench", {"frame", none, grid}, none));
