@@ -219,9 +219,10 @@ OfTriangles of_triangles(const auto& triangles, const Vec3d& origin, const Progr
     part.least = std::min(part.least, extent(box));
   });
 }
-// Those without a surface lie at a corner of one that has one, and belong to it.
+// Those without a surface lie at a corner of one that has one, and belong to it; or all are points.
 OfTriangles of_triangles(const MeshTriangles& triangles, const Vec3d& origin, const ProgressMonitor*) {
-  if (!(triangles.least_extent() < std::numeric_limits<double>::infinity())) return {};
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (!(triangles.least_extent() < none)) return {.least = triangles.size() > 0 ? 0 : none};
   // Half, since what is subtracted from its corners may round their distances.
   return {relative_to(origin, triangles.box()), 0, triangles.least_extent() / 2};
 }

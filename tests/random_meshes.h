@@ -58,11 +58,15 @@ inline std::vector<MeshArrays> random_meshes(Chance& chance, int most_triangles)
   return meshes;
 }
 
-// The same scene of all their triangles; lights and so on are `of`'s.
+// The same scene of all their triangles; spheres, lights and so on are `of`'s.
 inline Scene written_out(const std::vector<MeshArrays>& meshes, const ArrayScene& of) {
   Scene scene{
       of.camera, of.background, of.ambient, of.has_camera, of.lights, of.materials, {}, {}, {}, {}, {}, {},
       {},        of.objects,    {}};
+  for (std::size_t i = 0; i < of.spheres.size(); ++i) {
+    scene.spheres.push_back(of.spheres[i]);
+    scene.sphere_surfaces.push_back(of.sphere_surfaces[i]);
+  }
   for (std::size_t m = 0; m < meshes.size(); ++m)
     for (std::size_t i = 0; i < meshes[m].triangles; ++i)
       scene.triangles.push_back({meshes[m].corner(3 * i), m, meshes[m].corner(3 * i + 1), m,

@@ -21,13 +21,16 @@ TEST_F(SceneOfMeshes, IsTheFileOfItsTrianglesWrittenOut) {
   for (std::int64_t i = cases(300); i > 0; --i) {
     std::vector<MeshArrays> meshes = random_meshes(chance_, chance_.one_of({3, 30, 3000}));
     const Store store = chance_.one_of({Store::automatic, Store::float32, Store::float64});
-    const ArrayScene scene = scene_of(views_of(meshes));
+    const SphereArray sphere{chance_.index(2), [&](std::size_t) {
+                               return Sphere<double>{chance_.in_cube(3), chance_.uniform(0.5, 1)};
+                             }};
+    const ArrayScene scene = scene_of(views_of(meshes), {&sphere, 1});
     const SceneFile expected = scene_in_memory(written_out(meshes, scene), store),
                     file = scene_in_memory(scene, store);
     for (MeshArrays& mesh : meshes) // they aren't the caller's
       mesh = {};
     ASSERT_EQ(file.primitive_count(), expected.primitive_count());
-    ASSERT_EQ(file.unmade_triangles() != nullptr, file.primitive_count() > 0);
+    ASSERT_EQ(file.unmade_triangles() != nullptr, scene.triangles.size() > 0);
     const auto bytes_of = [&](const SceneFile& of) {
       of.write(folder.file("a.scene"));
       return read_bytes(folder.file("a.scene"));
