@@ -91,6 +91,7 @@ void add_instances(const aiScene& file, const std::vector<MeshObject>& meshes,
   while (!pending.empty()) {
     const auto [node, parent] = pending.back();
     pending.pop_back();
+    if (node == nullptr) throw Error(ErrorCode::input, name, "has a node that isn't there: repair the file");
     const Transform transform = parent * import::transform_of(node->mTransformation);
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
       const unsigned mesh = node->mMeshes[i];
