@@ -9,6 +9,7 @@
 #include "libgrid/structure/builder.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
+#include "libscene/cuda/device_records.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/mesh/device_triangles.h"
 #include "libscene/mesh/move_passes.h"

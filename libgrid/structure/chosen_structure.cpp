@@ -337,15 +337,14 @@ Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, cons
 Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, const BuildOptions& options,
                        const std::function<void(double)>& progress, int cuda_device) {
   Structure hierarchy;
-  run_whole([&](auto& context) {
-    const auto build = [&] {
-      const UnmadeTriangles unmade{&meshes, scene.origin()};
-      hierarchy = scene.with_view_but_triangles([&](const auto& others) {
-        const auto builder = cuda_builder(others, cuda_device, progress, false, &unmade);
-        return hierarchy_of(*builder, scene.bounds(), options);
-      });
-    };
-    // The last one is the caller's thread's, which CUDA knows.
+  const UnmadeTriangles unmade{&meshes, scene.origin()};
+  const auto build = [&] {
+    hierarchy = scene.with_view_but_triangles([&](const auto& others) {
+      return hierarchy_of(*cuda_builder(others, cuda_device, progress, false, &unmade), scene.bounds(),
+                          options);
+    });
+  };
+  run_whole([&](auto& context) { // the caller's thread, which CUDA knows, takes the last one
     tbb::parallel_invoke([&] { scene.make_whole(); }, build, context);
   });
   return hierarchy;

@@ -131,7 +131,7 @@ struct Sum {
 // So few are summed up by one block, piece by piece, sooner than by CUB's kernels.
 inline constexpr unsigned summing_threads = 512, summed_by_thread = 8,
                           summed_at_once = summing_threads * summed_by_thread,
-                          max_summed_by_block = 8 * summed_at_once;
+                          max_summed_by_block = 2 * summed_at_once;
 template <class T, class Of>
 __global__ void __launch_bounds__(summing_threads)
     sum_by_block(T* sums, unsigned count, const __grid_constant__ Of of) {
