@@ -8,6 +8,7 @@
 #include "libscene/scene_view.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace masu {
@@ -44,7 +45,7 @@ public:
       const double low = around.min[axis], extent = static_cast<double>(around.max[axis]) - low;
       // No smaller than the origin's rounding.
       const double least = std::max(extent / units, std::abs(low) * 0x1p-22);
-      const int exponent = std::clamp(std::ilogb(std::max(least, 0x1p-100)) + 1, -100, 100);
+      const int exponent = std::clamp(exponent_of(std::max(least, 0x1p-100)) + 1, -100, 100);
       const auto power = [](int of_two) {
         return static_cast<double>(float_of(static_cast<std::uint32_t>(of_two + 127) << 23));
       };
@@ -67,6 +68,10 @@ public:
   }
 
 private:
+  // std::ilogb() of what is normal, in far less time on a device.
+  MASU_HD static int exponent_of(double positive) {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(positive) >> 52) - 1023;
+  }
   static constexpr double units = 240, units_before = 4;
   // Larger by this many units than what they hold: walk/boxes.h says why.
   static constexpr double slack = 1.0 / 64;

@@ -2,11 +2,11 @@
 //
 //   1. invert  transforms; boxes around what they place
 //   2. survey  of all boxes, of triangles that reach far, and of what is wrong
-//   3. pad     placements, as far as rays can reach
+//   3. sort    placements, padded as far as rays can reach, and what stands beside them, along a Morton
+//              curve, world by world
 //   4. bounds  of all triangles, exactly: rays are clipped to them, so they decide bits of every t. Of
 //              meshes' hierarchies only those boxes are looked into that reach beyond what is known.
-//   5. sort    placements and what stands beside them along a Morton curve, world by world
-//   6. build   the hierarchies above them, a world's each (upper_passes.h)
+//   5. build   the hierarchies above them, a world's each (upper_passes.h)
 //
 // What a pass finds out stays where the next one reads it: the host looks at it once, in the end. Hits don't
 // depend on the order; it is the same on all executors, up to what they round alike.
@@ -47,6 +47,7 @@ struct PlacedParts {
 template <class Executor, class Stored>
 struct PlacedArrays {
   PlacedParts<Stored> parts;
+  ArrayOf<Executor, Transform> transforms{};
   ArrayOf<Executor, Placement<Stored>> placements{};
   ArrayOf<Executor, HierarchyNode> upper_nodes{};
   ArrayOf<Executor, std::uint32_t> roots{};
@@ -65,6 +66,46 @@ struct PlacedArrays {
   }
 };
 
+// Of each placement which of the moves is its last, from 1 on, or 0; nothing where they are of all. Throws
+// Error(usage, "indices", …) for one that isn't a placement's.
+template <class Executor>
+ArrayOf<Executor, std::uint32_t> last_moves(const Executor& executor, const PlacementMoves& moves,
+                                            std::uint32_t count) {
+  if (moves.indices == nullptr) return {};
+  auto last = executor.template zeros<std::uint32_t>(count + std::uint64_t{1});
+  std::uint32_t* const last_of = last.data();
+  const std::uint32_t* const indices = moves.indices;
+  executor.for_each(moves.count, [=] MASU_PASS(std::uint64_t i) {
+    if (indices[i] < count)
+      raise(last_of[indices[i]], static_cast<std::uint32_t>(i) + 1);
+    else
+      raise(last_of[count], indices[i]);
+  });
+  if (const std::uint32_t wrong = executor.value(last, count); wrong != 0)
+    throw Error(ErrorCode::usage, "indices",
+                std::to_string(wrong) + " isn't a placement's: there are " + std::to_string(count));
+  return last;
+}
+
+// Where placements are now.
+struct MovedTransforms {
+  PlacementMoves moves;
+  const std::uint32_t* last; // last_moves()
+  const Transform* before;   // where not all are moved
+  Transform* after;
+
+  MASU_HD Transform operator()(std::uint64_t i) const {
+    const std::uint64_t move = moves.indices != nullptr ? std::uint64_t{last[i]} : i + 1;
+    if (move == 0) return after[i] = before[i];
+    const std::uint64_t first = (move - 1) * moves.numbers();
+    Transform transform; // NOLINT(cppcoreguidelines-pro-type-member-init): the loop does it
+    for (unsigned k = 0; k < 12; ++k)
+      transform.rows[k / 4][k % 4] =
+          moves.floats != nullptr ? double{moves.floats[first + k]} : moves.doubles[first + k];
+    return after[i] = transform;
+  }
+};
+
 // Of placements, before they are known to be sound.
 template <class Stored>
 struct PlacedSurvey {
@@ -79,7 +120,7 @@ MASU_HD inline PlacedSurvey<Stored> join(const PlacedSurvey<Stored>& a, const Pl
 template <class Stored>
 struct InvertPlacement {
   PlacedParts<Stored> parts;
-  const Transform* transforms;
+  MovedTransforms transforms;
   Placement<Stored>* placements;
   std::uint32_t* listed_count; // becomes 0: a launch less than to clear it
 
@@ -93,7 +134,7 @@ struct InvertPlacement {
     placement.mesh = parts.mesh[i];
     placement.mask = parts.mask[i];
     placement.world = parts.world[i];
-    const bool is_sound = set_transform(parts.origin, transforms[i], placement);
+    const bool is_sound = set_transform(parts.origin, transforms(i), placement);
     placements[i] = placement;
     if (!is_sound) survey.first_singular = static_cast<std::uint32_t>(i);
     if (!is_sound || is_empty(mesh.box)) return survey;
@@ -110,6 +151,17 @@ struct InvertPlacement {
 template <class Stored>
 MASU_HD inline Boxd around_all(const PlacedParts<Stored>& parts, const PlacedSurvey<Stored>& survey) {
   return join(cast<double>(survey.around), parts.beside_bounds);
+}
+
+// What all triangles are in, whether any has a surface or none. Of such without any a scene has a point.
+template <class Stored>
+MASU_HD inline Boxd around_triangles(const PlacedParts<Stored>& parts, const Box<Stored>& with_surface,
+                                     const Boxd& around) {
+  if (!is_empty(with_surface) || parts.triangle_count == 0) return join(around, parts.beside_bounds);
+  // By its numbers: a device doesn't have the constant.
+  const Vec3d nowhere{points_without_surface.x, points_without_surface.y, points_without_surface.z};
+  const Vec3d point = cast<double>(cast<Stored>(relative_to(parts.origin, nowhere)));
+  return join(join(around, point), parts.beside_bounds);
 }
 
 // Pads placement i, and lists those whose box reaches beyond the triangles that are known.
@@ -182,67 +234,45 @@ struct FindingsOf {
   }
 };
 
-// Bounds of what is traced. Of triangles without any surface those that a scene of such has.
+// Bounds of what is traced.
 template <class Stored>
 MASU_HD inline Boxd bounds_of_all(const PlacedParts<Stored>& parts, const PlacedFindings<Stored>& found) {
-  Boxd bounds = cast<double>(found.triangles);
-  if (is_empty(bounds) && parts.triangle_count > 0) {
-    // By its numbers: a device doesn't have the constant.
-    const Vec3d nowhere{points_without_surface.x, points_without_surface.y, points_without_surface.z};
-    const Vec3d point = cast<double>(cast<Stored>(relative_to(parts.origin, nowhere)));
-    bounds = {point, point};
-  }
-  return join(bounds, parts.beside_bounds);
+  return around_triangles(parts, found.triangles, cast<double>(found.triangles));
 }
 
-// Items of the upper hierarchies, and their places in the order: of a world, and along the curve.
+// Items of the upper hierarchies: made ready, by their places in the order, of a world and along the curve.
 template <class Stored>
 struct UpperItems {
-  PlacedParts<Stored> parts;
-  const Placement<Stored>* placements;
-  const PlacedFindings<Stored>* found;
+  PadPlacement<Stored> pad;
+  std::uint32_t* arrivals; // become 0 (upper_passes.h)
 
+  // With the margin of bounds that contain what is traced: all that is known of it yet.
   MASU_HD Boxf box(std::uint32_t item) const {
-    const double margin = rounding_margin<Stored>(bounds_of_all(parts, *found));
+    const PlacedParts<Stored>& parts = pad.parts;
+    const double margin =
+        rounding_margin<Stored>(around_triangles(parts, pad.survey->known, cast<double>(pad.survey->around)));
     if (item >= parts.count) return box_of_primitive(parts.beside, item - parts.count, margin);
-    return box_around(cast<double>(placed_box(placements[item], parts.meshes[parts.mesh[item]].box)), margin);
+    return box_around(cast<double>(placed_box(pad.placements[item], parts.meshes[parts.mesh[item]].box)),
+                      margin);
   }
   MASU_HD HierarchyNode node(std::uint32_t item) const {
-    return item_node(item, item < parts.count ? placements + item : nullptr);
+    return item_node(item, item < pad.parts.count ? pad.placements + item : nullptr);
   }
   // What holds nothing comes after all groups.
   MASU_HD std::uint64_t operator()(std::uint64_t i) const {
+    const PlacedParts<Stored>& parts = pad.parts;
     const auto item = static_cast<std::uint32_t>(i);
     const bool is_placement = item < parts.count;
+    arrivals[i] = 0;
+    if (is_placement) pad(item);
     if (is_placement && is_empty(parts.meshes[parts.mesh[item]].box))
       return std::uint64_t{parts.world_count + 1} << code_bits;
     const std::uint32_t world = is_placement ? parts.world[item] : every_world;
     const std::uint64_t group = world == every_world ? parts.world_count : world;
-    const MortonCurve curve(padded_bounds<Stored>(around_all(parts, found->survey)));
+    const MortonCurve curve(padded_bounds<Stored>(around_all(parts, *pad.survey)));
     return group << code_bits | curve.code(box(item)) >> (3 * MortonCurve::bits_per_axis - code_bits);
   }
 };
-
-// Inverts, surveys and pads the placements, and finds their bounds. Of those that aren't sound nothing else
-// is known.
-template <class Executor, class Stored>
-ArrayOf<Executor, PlacedFindings<Stored>> found_of(Executor& executor, const PlacedParts<Stored>& parts,
-                                                   const Transform* transforms,
-                                                   Placement<Stored>* placements) {
-  auto listed_there = executor.template array<std::uint32_t>(parts.count + std::uint64_t{1});
-  auto bounds_there = executor.template array<Box<Stored>>(parts.count);
-  std::uint32_t *const listed_count = listed_there.data(), *const listed = listed_count + 1;
-  Box<Stored>* const bounds = bounds_there.data();
-  const auto survey_there = executor.template joined<PlacedSurvey<Stored>>(
-      parts.count, InvertPlacement<Stored>{parts, transforms, placements, listed_count});
-  const PlacedSurvey<Stored>* const survey = survey_there.data();
-  executor.for_each(parts.count, PadPlacement<Stored>{parts, survey, placements, listed, listed_count});
-  const std::uint32_t groups = min(parts.count, 4096U); // fill any device; few are listed
-  executor.for_each_by_group(
-      groups, SearchListed<Stored>{parts, survey, placements, listed, listed_count, bounds, groups});
-  return executor.template joined<PlacedFindings<Stored>>(
-      parts.count, FindingsOf<Stored>{survey, placements, listed_count, bounds});
-}
 
 // bounds_of_all(). Throws Error(usage, "placements", …) for a transform that has no inverse or isn't finite,
 // and for what reaches farther than the store or a hierarchy holds.
@@ -265,24 +295,62 @@ Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedFindings<Store
   return bounds;
 }
 
-// Throws as checked_bounds() does. A device is given all there is to do before the host waits for it, and
-// what it needs meanwhile is given back before, too: that takes the host as long as a pass.
+// `listed`: placements that PadPlacement listed; their number is before the first.
 template <class Executor, class Stored>
-PlacedArrays<Executor, Stored> placed(Executor& executor, const PlacedParts<Stored>& parts,
-                                      const Transform* transforms) {
-  PlacedArrays<Executor, Stored> made{parts, executor.template array<Placement<Stored>>(parts.count)};
+ArrayOf<Executor, PlacedFindings<Stored>>
+searched(const Executor& executor, const PlacedParts<Stored>& parts, const PlacedSurvey<Stored>* survey,
+         const Placement<Stored>* placements, const std::uint32_t* listed) {
+  auto bounds_there = executor.template array<Box<Stored>>(parts.count);
+  Box<Stored>* const bounds = bounds_there.data();
+  const std::uint32_t groups = min(parts.count, 4096U); // fill any device; few are listed
+  executor.for_each_by_group(
+      groups, SearchListed<Stored>{parts, survey, placements, listed, listed - 1, bounds, groups});
+  return executor.template joined<PlacedFindings<Stored>>(
+      parts.count, FindingsOf<Stored>{survey, placements, listed - 1, bounds});
+}
+
+// `before`: where those are that don't move. Throws as last_moves() and checked_bounds() do. A device is
+// given all there is to do before the host waits for it, and what it needs meanwhile is given back before,
+// too, where it can be: that takes the host as long as a pass.
+template <class Executor, class Stored>
+PlacedArrays<Executor, Stored> placed(const Executor& executor, const PlacedParts<Stored>& parts,
+                                      const PlacementMoves& moves, const Transform* before) {
+  const auto last = last_moves(executor, moves, parts.count);
+  PlacedArrays<Executor, Stored> made{parts, executor.template array<Transform>(parts.count),
+                                      executor.template array<Placement<Stored>>(parts.count)};
   Placement<Stored>* const placements = made.placements.data();
-  const auto found = found_of(executor, parts, transforms, placements);
-  const auto check = [&] { made.bounds = checked_bounds(parts, executor.value(found, 0)); };
-  if constexpr (!Executor::has_warps) check();
+  auto listed_there = executor.template array<std::uint32_t>(parts.count + std::uint64_t{1});
+  std::uint32_t *const listed_count = listed_there.data(), *const listed = listed_count + 1;
+  const MovedTransforms transforms{moves, last.data(), before, made.transforms.data()};
+  const auto survey_there = executor.template joined<PlacedSurvey<Stored>>(
+      parts.count, InvertPlacement<Stored>{parts, transforms, placements, listed_count});
+  const PlacedSurvey<Stored>* const survey = survey_there.data();
+
   const std::uint64_t items =
       parts.count + parts.beside.sphere_count + std::uint64_t{parts.beside.cone_count};
   const std::uint32_t worlds = parts.world_count + 1;
-  const int world_bits = static_cast<int>(std::bit_width(worlds));
-  const UpperItems<Stored> upper{parts, placements, found.data()};
-  std::tie(made.upper_nodes, made.roots) =
-      upper_hierarchies(executor, executor.sorted(items, world_bits + code_bits, upper), worlds, upper);
-  if constexpr (Executor::has_warps) check();
+  auto arrivals = executor.template array<std::uint32_t>(items);
+  const UpperItems<Stored> upper{{parts, survey, placements, listed, listed_count}, arrivals.data()};
+  auto sorted = executor.sorted(items, static_cast<int>(std::bit_width(worlds)) + code_bits, upper);
+
+  const Executor& beside = executor.beside();
+  ArrayOf<Executor, PlacedFindings<Stored>> found;
+  const auto check = [&] { made.bounds = checked_bounds(parts, beside.value(found, 0)); };
+  try {
+    found = searched(beside, parts, survey, placements, listed);
+    if constexpr (!Executor::has_warps) check();
+    std::tie(made.upper_nodes, made.roots) =
+        upper_hierarchies(executor, sorted, arrivals.data(), worlds, upper);
+  } catch (...) {
+    beside.wait(); // before what it reads is given back
+    throw;
+  }
+  if constexpr (Executor::has_warps) {
+    arrivals = {};
+    sorted = {};
+    check();
+    executor.wait();
+  }
   return made;
 }
 

@@ -69,14 +69,14 @@ void add_mesh(std::span<const Triangle<Stored>> triangles, HierarchyQuality qual
 
 template <class Stored>
 PlacedOnHost<Stored> made_ready(std::shared_ptr<const PlacedScene> scene,
-                                std::shared_ptr<const PlaceableMeshes<Stored>> meshes,
-                                std::vector<Transform> transforms, bool is_brute_force) {
+                                std::shared_ptr<const PlaceableMeshes<Stored>> meshes, bool is_brute_force,
+                                const PlacementMoves& moves, const Transform* before) {
   TbbExecutor executor;
   auto arrays = placed(executor,
                        parts_of(*scene, *meshes, scene->beside->view<Stored>(), is_brute_force,
                                 [](const auto& array) { return array.data(); }),
-                       transforms.data());
-  return {std::move(scene), std::move(meshes), std::move(transforms), std::move(arrays)};
+                       moves, before);
+  return {std::move(scene), std::move(meshes), std::move(arrays)};
 }
 
 } // namespace
@@ -129,13 +129,14 @@ AnyPlacedOnHost placed_on_host(const std::shared_ptr<const PlacedScene>& scene, 
     for (std::size_t i = 0; i + 1 < scene->mesh_triangles.size(); ++i)
       add_mesh(triangles_of(*scene, view, i), quality, progress, meshes);
     return made_ready<Stored>(scene, std::make_shared<const PlaceableMeshes<Stored>>(std::move(meshes)),
-                              scene->transforms, is_brute_force);
+                              is_brute_force, moves_of(scene->transforms), nullptr);
   });
 }
-AnyPlacedOnHost moved(const AnyPlacedOnHost& before, std::vector<Transform> transforms) {
+AnyPlacedOnHost moved(const AnyPlacedOnHost& before, const PlacementMoves& moves) {
   return std::visit(
       [&](const auto& host) -> AnyPlacedOnHost {
-        return made_ready(host.scene, host.meshes, std::move(transforms), host.arrays.parts.is_brute_force);
+        return made_ready(host.scene, host.meshes, host.arrays.parts.is_brute_force, moves,
+                          host.arrays.transforms.data());
       },
       before);
 }

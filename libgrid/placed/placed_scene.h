@@ -70,15 +70,14 @@ template <class Stored>
 struct PlacedOnHost {
   std::shared_ptr<const PlacedScene> scene;
   std::shared_ptr<const PlaceableMeshes<Stored>> meshes;
-  std::vector<Transform> transforms;
   PlacedArrays<TbbExecutor, Stored> arrays;
 };
 using AnyPlacedOnHost = std::variant<PlacedOnHost<float>, PlacedOnHost<double>>;
 
-// At first, when meshes' hierarchies are built, on the CPU; and by other transforms. Throw as
+// At first, when meshes' hierarchies are built, on the CPU; and moved, from host memory. Throw as
 // build_hierarchy() and placed() do.
 AnyPlacedOnHost placed_on_host(const std::shared_ptr<const PlacedScene>& scene, HierarchyQuality quality,
                                bool is_brute_force, ProgressMonitor* progress);
-AnyPlacedOnHost moved(const AnyPlacedOnHost& before, std::vector<Transform> transforms);
+AnyPlacedOnHost moved(const AnyPlacedOnHost& before, const PlacementMoves& moves);
 
 } // namespace masu

@@ -42,6 +42,22 @@ struct Transform {
   double rows[3][4];
 };
 
+// Where placements are now: 12 numbers each, M and t by rows as Transform has them, in host memory or a
+// GPU's.
+struct PlacementMoves {
+  const float* floats = nullptr; // or
+  const double* doubles = nullptr;
+  std::size_t count = 0;
+  const std::uint32_t* indices = nullptr; // of each the placement's number; null: of all, in their order
+  bool are_square = false;                // 16 numbers each: with a last row of 0 0 0 1, which isn't read
+
+  MASU_HD unsigned numbers() const { return are_square ? 16 : 12; }
+};
+template <class Transforms>
+PlacementMoves moves_of(const Transforms& all) {
+  return {.doubles = reinterpret_cast<const double*>(all.data()), .count = all.size()};
+}
+
 // A transform as it is stored, and what is computed of it once. `world` and `mask`: which rays see it.
 template <class Stored>
 struct alignas(16) Placement {

@@ -42,7 +42,7 @@ MASU_HD inline std::uint32_t arrived(std::uint32_t& count) {
 #endif
 }
 
-// Makes a word that many threads lower no greater than the value.
+// Makes a word that many threads lower no greater than the value; or one that they raise no less.
 MASU_HD inline void lower(std::uint32_t& least, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
   atomicMin(&least, value);
@@ -50,6 +50,16 @@ MASU_HD inline void lower(std::uint32_t& least, std::uint32_t value) {
   const std::atomic_ref shared(least);
   for (std::uint32_t now = shared.load(std::memory_order_relaxed);
        value < now && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed);) {
+  }
+#endif
+}
+MASU_HD inline void raise(std::uint32_t& most, std::uint32_t value) {
+#ifdef __CUDA_ARCH__
+  atomicMax(&most, value);
+#else
+  const std::atomic_ref shared(most);
+  for (std::uint32_t now = shared.load(std::memory_order_relaxed);
+       value > now && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed);) {
   }
 #endif
 }

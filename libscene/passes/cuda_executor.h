@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 namespace masu {
@@ -24,8 +25,9 @@ public:
   using Array = DeviceArray<T>;
 
   // `pool`: of its arrays; it must outlive them. `progress`: of the build that the passes are of.
-  explicit CudaExecutor(cudaMemPool_t pool, const ProgressMonitor* progress = nullptr)
-      : memory_{nullptr, pool}, progress_(progress) {}
+  explicit CudaExecutor(cudaMemPool_t pool, const ProgressMonitor* progress = nullptr,
+                        cudaStream_t stream = nullptr)
+      : memory_{stream, pool}, progress_(progress) {}
   CudaExecutor(const CudaExecutor&) = delete;
   CudaExecutor& operator=(const CudaExecutor&) = delete;
 
@@ -42,7 +44,7 @@ public:
   template <class Act>
   void for_each(std::uint64_t count, const Act& act) const {
     check_progress(progress_);
-    for_each_on_device(count, nullptr, act);
+    for_each_on_device(count, memory_.stream, act);
   }
   template <class Act>
   void for_each_part(std::uint64_t count, const Act& act) const {
@@ -54,17 +56,17 @@ public:
     check_progress(progress_);
     using namespace kernels;
     if constexpr (tile_width<Work>() > 32) {
-      launch(one_by_block<Work>, static_cast<unsigned>(count), tile_width<Work>(), nullptr, work);
+      launch(one_by_block<Work>, static_cast<unsigned>(count), tile_width<Work>(), memory_.stream, work);
     } else {
       DeviceArray<std::uint32_t> large;
       if constexpr (has_size<Work>) {
         large = array<std::uint32_t>(count + 1);
-        check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
+        check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), memory_.stream));
       }
-      launch(each_by_tile<Work>, blocks_of(tiles<Work>, count), tiles<Work> * tile_width<Work>(), nullptr,
-             count, work, large.data());
+      launch(each_by_tile<Work>, blocks_of(tiles<Work>, count), tiles<Work> * tile_width<Work>(),
+             memory_.stream, count, work, large.data());
       if constexpr (has_size<Work>)
-        launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
+        launch(each_by_block<Work>, blocks_for_large, threads, memory_.stream, work, large.data());
     }
   }
   template <class Part, class Act>
@@ -75,7 +77,7 @@ public:
     check_progress(progress_);
     auto parts = array<Part>(1 + std::uint64_t{blocks});
     if (arrivals_.size() == 0) arrivals_ = zeros<std::uint32_t>(1);
-    launch(kernels::join_all<Part, Act>, blocks, kernels::threads, nullptr, count, act, parts.data(),
+    launch(kernels::join_all<Part, Act>, blocks, kernels::threads, memory_.stream, count, act, parts.data(),
            arrivals_.data());
     return parts;
   }
@@ -86,7 +88,8 @@ public:
     if (count <= kernels::max_summed_by_block)
       return sum_by_block(values, [=] MASU_PASS(std::uint64_t i) { return value[i]; });
     with_memory([&](void* memory, std::size_t& bytes) {
-      return cub::DeviceScan::ExclusiveScan(memory, bytes, value, value, kernels::Sum{}, T{}, count);
+      return cub::DeviceScan::ExclusiveScan(memory, bytes, value, value, kernels::Sum{}, T{}, count,
+                                            memory_.stream);
     });
   }
   // What is summed up isn't computed as CUB reads it: many read far apart, and its blocks are few.
@@ -102,10 +105,11 @@ public:
     scan(values);
     return values;
   }
+  // Such a copy, to memory that isn't page-locked, is waited for.
   template <class T>
   T value(const Array<T>& values, std::uint64_t i) const {
     T one;
-    check(cudaMemcpy(&one, values.data() + i, sizeof(T), cudaMemcpyDeviceToHost));
+    check(cudaMemcpyAsync(&one, values.data() + i, sizeof(T), cudaMemcpyDeviceToHost, memory_.stream));
     return one;
   }
   template <class KeyOf>
@@ -155,10 +159,15 @@ public:
     return sorted;
   }
 
+  const CudaExecutor& beside() const;
+  void wait() const { check(cudaStreamSynchronize(memory_.stream)); }
+
 private:
+  struct Beside;
+
   template <class T, class Of>
   void sum_by_block(Array<T>& sums, const Of& of) const {
-    launch(kernels::sum_by_block<T, Of>, 1, kernels::summing_threads, nullptr, sums.data(),
+    launch(kernels::sum_by_block<T, Of>, 1, kernels::summing_threads, memory_.stream, sums.data(),
            static_cast<unsigned>(sums.size()), of);
   }
   template <class Value>
@@ -167,7 +176,7 @@ private:
     if constexpr (sizeof(Value) <= sizeof(std::uint64_t)) {
       using namespace kernels;
       if (keys.size() <= max_for_block) {
-        launch(sort_by_block<Value>, 1, sorting_threads, nullptr, keys.data(), values.data(),
+        launch(sort_by_block<Value>, 1, sorting_threads, memory_.stream, keys.data(), values.data(),
                static_cast<unsigned>(keys.size()), bits);
         return;
       }
@@ -177,7 +186,8 @@ private:
     cub::DoubleBuffer<std::uint64_t> key_buffers(keys.data(), other_keys.data());
     cub::DoubleBuffer<Value> value_buffers(values.data(), other_values.data());
     with_memory([&](void* memory, std::size_t& bytes) {
-      return cub::DeviceRadixSort::SortPairs(memory, bytes, key_buffers, value_buffers, keys.size(), 0, bits);
+      return cub::DeviceRadixSort::SortPairs(memory, bytes, key_buffers, value_buffers, keys.size(), 0, bits,
+                                             memory_.stream);
     });
     if (key_buffers.Current() != keys.data()) keys = std::move(other_keys);
     if (value_buffers.Current() != values.data()) values = std::move(other_values);
@@ -192,9 +202,25 @@ private:
     check(act(memory.data(), bytes));
   }
 
-  StreamMemory memory_; // the default stream
+  StreamMemory memory_; // by default of the default stream
   const ProgressMonitor* progress_;
   mutable Array<std::uint32_t> arrivals_; // of blocks that join; 0 between kernels
+  mutable std::shared_ptr<const Beside> beside_;
 };
+
+struct CudaExecutor::Beside {
+  Stream stream;
+  Event begin;
+  CudaExecutor executor;
+
+  Beside(cudaMemPool_t pool, const ProgressMonitor* progress) : executor(pool, progress, stream) {}
+};
+
+inline const CudaExecutor& CudaExecutor::beside() const {
+  if (beside_ == nullptr) beside_ = std::make_shared<const Beside>(memory_.pool, progress_);
+  check(cudaEventRecord(beside_->begin, memory_.stream));
+  check(cudaStreamWaitEvent(beside_->stream, beside_->begin));
+  return beside_->executor;
+}
 
 } // namespace masu

@@ -110,6 +110,8 @@ public:
   T value(const Array<T>& values, std::uint64_t i) const {
     return values[i];
   }
+  const HostExecutor& beside() const { return *this; }
+  void wait() const {}
 
   template <class KeyOf>
   Sorted<HostExecutor, std::uint32_t> sorted(std::uint64_t count, int bits, const KeyOf& key_of) const {

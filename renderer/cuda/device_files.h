@@ -74,8 +74,9 @@ struct DeviceMemory {
 // An array on the device: where it lies, or copied there.
 template <class T>
 const T* on_device(const T* array, std::size_t count, const DeviceMemory& memory, DeviceArray<T>& copy) {
+  if (count == 0) return array;
   const int place = device_of(array);
-  if (place == memory.device || count == 0) return array;
+  if (place == memory.device) return array;
   Transfer upload(memory.pool);
   DeviceArray<T> made = upload.room_for<T>(count);
   if (place == host_memory)

@@ -19,21 +19,6 @@ namespace {
   throw Error(ErrorCode::usage, place, what);
 }
 
-template <class Number>
-void replace(std::vector<Transform>& transforms, const PlacementMoves& moves, const Number* given) {
-  HostCopies copies;
-  const std::size_t numbers = moves.are_square ? 16 : 12;
-  given = copies.of(given, numbers * moves.count);
-  const std::uint32_t* const indices = copies.of(moves.indices, moves.count);
-  for (std::size_t i = 0; i < moves.count; ++i) {
-    const std::size_t placement = indices != nullptr ? indices[i] : i;
-    if (placement >= transforms.size())
-      fail("indices", fmt::format("{} isn't a placement's: there are {}", placement, transforms.size()));
-    for (std::size_t k = 0; k < 12; ++k)
-      transforms[placement].rows[k / 4][k % 4] = static_cast<double>(given[numbers * i + k]);
-  }
-}
-
 } // namespace
 
 PlacedTracer::PlacedTracer(std::shared_ptr<const PlacedScene> scene, HierarchyQuality quality,
@@ -55,10 +40,12 @@ PlacedTracer PlacedTracer::moved(const PlacementMoves& moves) const {
   PlacedTracer tracer = *this;
   on_threads(files_.size(), [&](std::size_t i) { tracer.files_[i] = placed_files_cuda(*files_[i], moves); });
   if (!gpus_.empty()) return tracer;
-  auto transforms = std::visit([](const auto& host) { return host.transforms; }, *host_);
-  moves.floats != nullptr ? replace(transforms, moves, moves.floats)
-                          : replace(transforms, moves, moves.doubles);
-  tracer.host_ = std::make_shared<const AnyPlacedOnHost>(masu::moved(*host_, std::move(transforms)));
+  HostCopies copies;
+  PlacementMoves here = moves;
+  here.indices = copies.of(moves.indices, moves.count);
+  here.floats = copies.of(moves.floats, moves.count * moves.numbers());
+  here.doubles = copies.of(moves.doubles, moves.count * moves.numbers());
+  tracer.host_ = std::make_shared<const AnyPlacedOnHost>(masu::moved(*host_, here));
   return tracer;
 }
 

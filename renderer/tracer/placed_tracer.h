@@ -13,16 +13,6 @@ namespace masu {
 
 struct DeviceFiles;
 
-// Where placements are now: 12 numbers each, M and t by rows as Transform has them, in host memory or a
-// GPU's.
-struct PlacementMoves {
-  const float* floats = nullptr; // or
-  const double* doubles = nullptr;
-  std::size_t count = 0;
-  const std::uint32_t* indices = nullptr; // of each the placement's number; null: of all, in their order
-  bool are_square = false;                // 16 numbers each: with a last row of 0 0 0 1, which isn't read
-};
-
 // Queries change nothing in it, and threads may query at the same time.
 class PlacedTracer {
 public:

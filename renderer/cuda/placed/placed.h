@@ -10,7 +10,7 @@ namespace masu {
 template <class Stored>
 struct PlacedOnDevice {
   SharedArrays parts_memory; // of what doesn't move
-  DeviceArray<Transform> transforms;
+  std::shared_ptr<const CudaExecutor> executor;
   PlacedArrays<CudaExecutor, Stored> arrays;
 };
 
