@@ -80,6 +80,16 @@ struct PlacedRay {
   const std::uint32_t* object_masks = nullptr;  // of each placement; null: all bits
   std::uint32_t excluded_object = no_primitive; // that its excluded primitive is of
 
+  // Of its world's hierarchy and that of all worlds, each if there is one: then no_root.
+  struct Roots {
+    std::uint32_t first, second;
+  };
+  MASU_HD Roots roots() const {
+    const std::uint32_t own = world < placed.world_count ? placed.roots[world] : no_root,
+                        of_all = placed.roots[placed.world_count];
+    return own != no_root ? Roots{own, of_all} : Roots{of_all, no_root};
+  }
+  bool sees_as(const PlacedRay& other) const { return world == other.world && mask == other.mask; }
   template <class Placed>
   MASU_HD bool sees(std::uint32_t number, const Placed& placement) const {
     return (placement.mask & mask) != 0 && (object_masks == nullptr || (object_masks[number] & mask) != 0);

@@ -23,11 +23,9 @@ struct PlacedWalk {
     placement = none;
     origin = near.ray.origin;
     outwards = 0;
-    const PlacedView<Stored>& placed = seen.placed;
-    const std::uint32_t own = seen.world < placed.world_count ? placed.roots[seen.world] : no_root,
-                        of_all = placed.roots[placed.world_count];
-    walk.next = own != no_root ? own : of_all;
-    if (own != no_root && of_all != no_root) push(stack, walk.height, nodes_group(of_all, 1, 1, 0));
+    const auto [first, second] = seen.roots();
+    walk.next = first;
+    if (second != no_root) push(stack, walk.height, nodes_group(second, 1, 1, 0));
   }
 
   // As HierarchyWalk's, and the following.

@@ -18,14 +18,15 @@
 //  - N (M v + t - t) is v but for E v, where E = N M - 1, off by less than 5 w |N| |M| when it is computed in
 //    double, of unit roundoff w.
 //  - The ray's origin is carried as N (o - t), in no less than the store's arithmetic: the difference and
-//    three fmas are rounded, 4.01 u S, with S = |N| (1.01 R + |t|).
+//    three fmas are rounded, 4.01 u S, with S = |N| (1.01 R + |t|). Where it is moved instead of the planes,
+//    and rounded to the store (placed_lanes_avx2.h), that is 2.02 u S more, and as much of the padding.
 //  - Its direction is carried as N d: 3.01 u · 2.02 |N| R.
 //  - The distance of a plane is off by less than 9 u times that of the plane from the origin (boxes.h, where
 //    the inverse of a direction is rounded once; here it may be off by an ulp), which is less than S and the
 //    mesh's largest coordinate: 9 u S, and for the latter there is the margin in the mesh's own boxes.
 // In all less than 128 u |N| R + 16 u S + 4 u |N| (|M| |v| + |t|) + (|E| + 5 w |N| |M|) |v|. Moving a plane
 // is another rounding as of the plane's distance, for which boxes have a slack of 2^-6 units: now 4 · 2^-9
-// are used of it. A factor of 1.01 is for the rounding of the bound itself. Planes along all axes are moved
+// are used of it. A factor of 1.01 is for roundings of the bound itself. Planes along all axes are moved
 // by the largest of the three.
 #pragma once
 
@@ -109,7 +110,7 @@ MASU_HD inline HierarchyNode item_node(std::uint32_t item, const Placement<Store
 }
 
 // M v + t: of each coordinate fma(M0, x, fma(M1, y, fma(M2, z, t))).
-template <class Stored>
+template <class Stored> // or as many side by side as lanes
 MASU_HD inline Stored along(const Stored (&row)[4], const Vec3<Stored>& v) {
   return fma(row[0], v.x, fma(row[1], v.y, fma(row[2], v.z, row[3])));
 }

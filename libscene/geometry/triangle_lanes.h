@@ -58,18 +58,21 @@ MASU_ALWAYS_INLINE Vec3<Lanes<Real>> corners(const Triangle<float>* triangles, c
           lanes(_mm256_unpacklo_pd(z01, z23))};
 }
 
-// The same of a triangle for each lane.
+// The same of a triangle for each lane: all(&Triangle<Stored>::a) are their corners.
+template <class Stored, class Real, class All>
+MASU_ALWAYS_INLINE LaneMask<Real> intersect(const WatertightRay<Lanes<Real>>& ray, const All& all,
+                                            Lanes<Real>& t) {
+  const Vec3<Lanes<Real>> a = all(&Triangle<Stored>::a) - ray.origin,
+                          b = all(&Triangle<Stored>::b) - ray.origin,
+                          c = all(&Triangle<Stored>::c) - ray.origin;
+  return intersect(ray, a, b, c, t);
+}
 template <class Real, class Stored>
 MASU_ALWAYS_INLINE LaneMask<Real> intersect(const WatertightRay<Lanes<Real>>& ray,
                                             const Triangle<Stored>* triangles, const PrimitiveIndex* numbers,
                                             Lanes<Real>& t) {
-  // Relative to the ray's origin.
-  const auto corner = [&](Vec3<Stored> Triangle<Stored>::*of) {
-    return corners<Real>(triangles, numbers, of) - ray.origin;
-  };
-  const Vec3<Lanes<Real>> a = corner(&Triangle<Stored>::a), b = corner(&Triangle<Stored>::b),
-                          c = corner(&Triangle<Stored>::c);
-  return intersect(ray, a, b, c, t);
+  return intersect<Stored>(
+      ray, [&](auto corner) { return corners<Real>(triangles, numbers, corner); }, t);
 }
 
 } // namespace masu

@@ -10,14 +10,13 @@
 namespace masu {
 
 // As trace_in_step() (ray_lanes.h), by packets.
-template <Query query, class M, class Stored, class Found>
-[[gnu::noinline]] inline std::size_t trace_packets(const SceneView<Stored>& scene,
-                                                   const HierarchyView<typename M::Real>& hierarchy,
+template <Query query, class M, class Stored, class Structure, class Found>
+[[gnu::noinline]] inline std::size_t trace_packets(const SceneView<Stored>& scene, const Structure& structure,
                                                    const void* rays, const RayFormat& format,
                                                    std::size_t first, std::size_t end, const Found& found) {
   using Real = typename M::Real;
   using Rays = RayLanes<Real>;
-  using Walk = PacketWalk<query, M, Stored, Rays>;
+  using Walk = PacketWalk<query, M, Stored, Rays, SeenIn<Structure>>;
   Rays packet[Walk::rows];
   while (first + Rays::count <= end) {
     unsigned left[Walk::rows] = {};
@@ -29,24 +28,30 @@ template <Query query, class M, class Stored, class Found>
       each_bit(left[e] ^ Rays::all,
                [&](int missed) { found(next + static_cast<std::size_t>(missed), no_listed_hit<Real>); });
     }
-    // One way after the other: those that run as the first that is left does.
+    // One way after the other: those that run as the first that is left does, and see what it sees.
     for (int e = 0; e < Walk::rows; ++e) {
       while (left[e] != 0) {
-        const Vec3<Real> way = packet[e].inverse.of(static_cast<std::size_t>(std::countr_zero(left[e])));
+        const auto i_of = [&](int row, int lane) {
+          return first + Rays::count * static_cast<std::size_t>(row) + static_cast<std::size_t>(lane);
+        };
+        const int one = std::countr_zero(left[e]);
+        const Vec3<Real> way = packet[e].inverse.of(static_cast<std::size_t>(one));
+        const auto& seen = seen_by(structure, i_of(e, one));
         unsigned alike[Walk::rows];
-        for (int other = 0; other < Walk::rows; ++other) {
-          alike[other] = 0;
-          if (left[other] == 0) continue;
-          alike[other] =
-              left[other] & ~(smallest(packet[other].inverse.all() * all_of(way)) < Real(0)).bits();
-          left[other] ^= alike[other];
-        }
-        Walk walk(scene, hierarchy, packet, alike, way);
+        take_alike([&](int row) { return packet[row].inverse.all(); }, way, left, alike);
+        if constexpr (Walk::is_placed)
+          for (int row = e; row < Walk::rows; ++row)
+            each_bit(alike[row], [&](int lane) {
+              if (seen.sees_as(seen_by(structure, i_of(row, lane)))) return;
+              alike[row] ^= 1U << lane;
+              left[row] ^= 1U << lane;
+            });
+        Walk walk(scene, seen, packet, alike, way);
         walk.walk();
         for (int of = 0; of < Walk::rows; ++of) {
           each_bit(alike[of], [&](int lane) {
             const auto i = static_cast<std::size_t>(lane);
-            found(first + Rays::count * static_cast<std::size_t>(of) + i,
+            found(i_of(of, lane),
                   ListedHit<Real>{walk.hit(of, i), packet[of].skipped.of[i], packet[of].scale.of[i]});
           });
         }
@@ -79,18 +84,18 @@ template <Query query, class M, class Stored, class Found>
 // As packets where rays are coherent, which then take less time, else in step. Shadow rays begin at surfaces,
 // and few of them meet the same boxes: of triangles, which in step are tested eight at a time, whichever
 // rays', only those are better off as packets that begin at one point.
-template <Query query, class M, class Stored, class Found>
-inline std::size_t
-trace_list(const SceneView<Stored>& scene, const HierarchyView<typename M::Real>& hierarchy, const void* rays,
-           const RayFormat& format, std::size_t first, std::size_t end, const Found& found) {
+template <Query query, class M, class Stored, class Structure, class Found>
+inline std::size_t trace_list(const SceneView<Stored>& scene, const Structure& structure, const void* rays,
+                              const RayFormat& format, std::size_t first, std::size_t end,
+                              const Found& found) {
   constexpr bool from_one_point = query == Query::occlusion && tests_triangles_in_lanes<M, Stored>;
   constexpr float share = from_one_point ? 0x1p-12F : 0x1p-5F;
   if (walks_in_use::packets && are_coherent(share, rays, format, first, end, cast<float>(scene.clip)))
-    return trace_packets<query, M>(scene, hierarchy, rays, format, first, end, found);
+    return trace_packets<query, M>(scene, structure, rays, format, first, end, found);
   if constexpr (walks_in_use::in_step)
-    return trace_in_step<query, M>(scene, hierarchy, rays, format, first, end, found);
+    return trace_in_step<query, M>(scene, structure, rays, format, first, end, found);
   else
-    return trace_in_turn<query, M>(scene, hierarchy, rays, format, first, end, found);
+    return trace_in_turn<query, M>(scene, structure, rays, format, first, end, found);
 }
 
 } // namespace masu

@@ -168,11 +168,11 @@ inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Structure
         NoCounts counts;
         if constexpr (query == Query::occlusion) {
           AnyHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_min, t_max, t_max};
-          visit(structure, lanes.clipped(i), scene.primitive_count(), visitor);
+          visit(seen_by(structure, first + i), lanes.clipped(i), scene.primitive_count(), visitor);
           if (visitor.found()) hit.near = {visitor.hit, 0};
         } else {
           NearestHit<M, Stored, NoCounts> visitor{scene, ray, counts, t_min, t_max, {t_max, 0}};
-          visit(structure, lanes.clipped(i), scene.primitive_count(), visitor);
+          visit(seen_by(structure, first + i), lanes.clipped(i), scene.primitive_count(), visitor);
           if (visitor.hit.t < t_max) hit.near = visitor.hit;
         }
       }
@@ -183,9 +183,8 @@ inline std::size_t trace_in_turn(const SceneView<Stored>& scene, const Structure
 }
 
 // The same, eight in step.
-template <Query query, class M, class Stored, class Found>
-[[gnu::noinline]] inline std::size_t trace_in_step(const SceneView<Stored>& scene,
-                                                   const HierarchyView<typename M::Real>& hierarchy,
+template <Query query, class M, class Stored, class Structure, class Found>
+[[gnu::noinline]] inline std::size_t trace_in_step(const SceneView<Stored>& scene, const Structure& structure,
                                                    const void* rays, const RayFormat& format,
                                                    std::size_t first, std::size_t end, const Found& found) {
   using Real = typename M::Real;
@@ -218,22 +217,22 @@ template <Query query, class M, class Stored, class Found>
   };
   constexpr std::size_t none = ~std::size_t{};
   struct Group {
-    EightWalks<query, M, Stored> walks;
-    Listed listed[EightWalks<query, M, Stored>::lanes];
+    EightWalks<query, M, Stored, SeenIn<Structure>> walks;
+    Listed listed[8];
 
-    explicit Group(const HierarchyView<Real>& hierarchy) : walks(hierarchy) {
+    explicit Group(const Structure& structure) : walks(seen_by(structure, 0)) {
       std::fill_n(listed, std::size(listed), Listed{none, 0, 0});
     }
   };
-  Group groups[]{Group(hierarchy), Group(hierarchy), Group(hierarchy)};
+  Group groups[]{Group(structure), Group(structure), Group(structure)};
   const auto next_ray = [&](Group& group, int lane) {
     Listed& listed = group.listed[lane];
     if (listed.i != none)
       found(listed.i, ListedHit<Real>{group.walks.hit(lane), listed.skipped, listed.scale});
     const bool begun = take_next([&](std::size_t i, std::size_t k) {
       listed = {i, lanes.skipped.of[k], lanes.scale.of[k]};
-      group.walks.begin(lane, lanes.test_ray(k), bounded_inverse(lanes.clipped(k)), lanes.t_min.of[k],
-                        lanes.t_max.of[k]);
+      group.walks.begin(lane, seen_by(structure, i), lanes.test_ray(k), bounded_inverse(lanes.clipped(k)),
+                        lanes.t_min.of[k], lanes.t_max.of[k]);
     });
     if (begun) return;
     listed.i = none;

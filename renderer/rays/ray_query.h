@@ -332,7 +332,14 @@ MASU_HD inline void set_on_triangle(HitAttributes& found, const SceneView<Stored
       interpolate(weights, cast<double>(triangle.a), cast<double>(triangle.b), cast<double>(triangle.c));
 }
 
-// What depends on how a scene's primitives are held (placed_rays.h): how a hit is named, and its record.
+// What depends on how a scene's primitives are held (placed_rays.h): a list's structure as ray i sees it, how
+// a hit is named, and its record.
+template <class Structure>
+inline const Structure& seen_by(const Structure& structure, std::size_t) {
+  return structure;
+}
+template <class Structure>
+using SeenIn = std::remove_cvref_t<decltype(seen_by(std::declval<Structure>(), 0))>;
 template <class Stored, class Structure>
 MASU_HD inline void set_name(const SceneView<Stored>& scene, const Structure&, PrimitiveIndex primitive,
                              HitAttributes& found) {

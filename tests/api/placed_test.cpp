@@ -19,9 +19,10 @@ const auto ray_count = static_cast<std::size_t>(cases(400)), few_rays = std::min
 TEST_F(Placed, FindTheSameAsWrittenOut) {
   for (const PlacedKind& kind : placed_kinds()) {
     PlacedScenes scenes(engine_, kind);
-    const auto rays = scenes.rays(ray_count);
     const auto places = scenes.places(place_count);
-    for (const masu_precision precision : {MASU_PRECISION_AUTO, MASU_PRECISION_DOUBLE}) {
+    for (const auto precision :
+         {MASU_PRECISION_AUTO, MASU_PRECISION_AUTO, MASU_PRECISION_DOUBLE, MASU_PRECISION_DOUBLE}) {
+      const auto rays = scenes.rays(ray_count);
       SCOPED_TRACE(testing::Message()
                    << "kind " << &kind - placed_kinds().data() << ", extent " << kind.extent << ", stretch "
                    << kind.stretch << ", precision " << precision);
@@ -57,6 +58,36 @@ TEST_F(Placed, MovedOnesAreThoseOfANewScene) {
       if (i != 0 && i != 3) scenes.transforms[i] = before[i];
     expect_same(found_by(tracer, rays, {}, {}, &scenes),
                 found_by(Tracer(scenes.written_out()), rays, {}, {}, nullptr, scenes.center()));
+  }
+}
+
+// Each ray of a list its own, of neighbours some the same.
+TEST_F(Placed, RaysOfAListSeeTheirOwnWorldsByTheirOwnMasks) {
+  PlacedKind kind;
+  kind.worlds = 3;
+  kind.extent = 3;
+  kind.placements = 40;
+  PlacedScenes scenes(engine_, kind);
+  const Tracer tracer(scenes.placed()), brute = brute_force(scenes.placed());
+  for (const std::size_t run : {1, 1, 7, 7, 50, 50}) {
+    const auto rays = scenes.rays(ray_count);
+    std::vector<std::uint32_t> worlds = scenes.numbers(rays.size(), 4),
+                               masks = scenes.numbers(rays.size(), 8);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      worlds[i] = worlds[i - i % run];
+      masks[i] = masks[i - i % run];
+    }
+    const auto object_masks = scenes.numbers(scenes.object_count(), 8);
+    QueryOptions options;
+    const auto expect_same_found = [&] {
+      expect_same(found_by(tracer, rays, {}, options, &scenes), found_by(brute, rays, {}, options, &scenes));
+    };
+    options.worlds = worlds.data();
+    expect_same_found();
+    options.ray_masks = masks.data();
+    expect_same_found();
+    options.object_masks = object_masks;
+    expect_same_found();
   }
 }
 

@@ -48,6 +48,7 @@ struct BoxRay {
     far_y = low + 8 + to_high - down_y;
     far_z = low + 16 + to_high - down_z;
   }
+  BoxRay() : BoxRay(Vec3<Real>{0, 0, 0}, Vec3<Real>{1, 1, 1}) {} // any
 
 private:
   MASU_ALWAYS_INLINE static Lanes<Real> lanes(const Vec3<Real>& v) {

@@ -1,5 +1,6 @@
-// Eight rays' walks through a bounding volume hierarchy in step, on one thread of a processor with AVX2: for
-// lists of rays that have little in common. A lane whose ray is done takes the next.
+// Eight rays' walks through a bounding volume hierarchy, or through placed meshes, in step, on one thread of
+// a processor with AVX2: for lists of rays that have little in common. A lane whose ray is done takes the
+// next.
 //
 // One ray's walk mostly waits: for memory, and after branches that were mispredicted. So here hardly any
 // branch depends on a ray, and what is needed next is prefetched. The nodes that the rays meet are sorted for
@@ -9,7 +10,7 @@
 // Host only.
 #pragma once
 
-#include "libgrid/hierarchy/walk/boxes_avx2.h"
+#include "libgrid/placed/placed_lanes_avx2.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/geometry/triangle_lanes.h"
 
@@ -61,14 +62,16 @@ MASU_ALWAYS_INLINE void sort_descending(__m256i (&rows)[8]) {
   transpose(rows);
 }
 
-// M: a Method by watertight tests. Walks are cut into four stages, which are called in turn: in between
-// comes other groups' work, so that what one stage loads or computes is there for the next.
+// M: a Method by watertight tests. Structure: a hierarchy, or a PlacedRay<Stored> of triangles that are
+// tested in lanes, of which each ray has its own mask and world. Walks are cut into four stages, which are
+// called in turn: in between comes other groups' work, so that what one stage loads or computes is there for
+// the next.
 //
 //   meet_boxes  tests the boxes of each ray's node, and prefetches the primitives that may be met
 //   push        puts the nodes that are met ahead, and takes the nearest as the next
 //   test        tests primitives
 //   resume      keeps the hits; where the next node is beyond them, takes another; or the walk ends
-template <Query query, class M, class Stored>
+template <Query query, class M, class Stored, class Structure = HierarchyView<typename M::Real>>
 class EightWalks {
 public:
   using Real = typename M::Real;
@@ -76,19 +79,20 @@ public:
 
   // No lane has a ray.
   explicit EightWalks( // NOLINT(cppcoreguidelines-pro-type-member-init): idle lanes count for nothing
-      const HierarchyView<Real>& hierarchy)
-      : hierarchy_(hierarchy) {
+      const Structure& structure)
+      : structure_(structure) {
     for (int lane = 0; lane < lanes; ++lane) {
       std::fill_n(ahead_[lane].entries, below, nowhere);
       ahead_[lane].siblings[below - 1] = 0;
-      node_[lane] = hierarchy.nodes;
+      node_[lane] = nodes_at(lane, 0);
       leave_idle(lane);
     }
   }
 
   // Gives a ray to a lane: a prepared one, with its direction's inverse, bounded (bounded_inverse()).
-  MASU_ALWAYS_INLINE void begin(int lane, const WatertightRay<Real>& ray, const Vec3<Real>& inverse,
-                                Real t_min, Real t_max) {
+  // `seen`: the structure as it sees it.
+  MASU_ALWAYS_INLINE void begin(int lane, const Structure& seen, const WatertightRay<Real>& ray,
+                                const Vec3<Real>& inverse, Real t_min, Real t_max) {
     const auto i = static_cast<std::size_t>(lane);
     origin_.set(i, ray.origin);
     direction_.set(i, ray.direction);
@@ -99,11 +103,22 @@ public:
     t_max_[lane] = t_[lane] = t_max;
     farthest_.of[i] = in_float32(t_max);
     primitive_[lane] = 0; // wins no tie at t_max
-    box_rays_[lane] = BoxRay<Stored>(ray.origin, inverse);
-    go_to(lane, hierarchy_.nodes, 0, below);
+    box_rays_[lane][0] = BoxRay<Stored>(ray.origin, inverse);
+    if constexpr (is_placed) {
+      const auto [first, second] = seen.roots();
+      if (first == no_root) return leave_idle(lane);
+      in_mesh_[lane] = 0;
+      mask_[lane] = seen.mask;
+      ahead_[lane].entries[below] = 0;
+      ahead_[lane].siblings[below] = std::uint64_t{second} << 32;
+      go_to(lane, seen.placed.upper_nodes + first, 0, second != no_root ? below + 1 : below);
+    } else {
+      go_to(lane, structure_.nodes, 0, below);
+    }
   }
   MASU_ALWAYS_INLINE void leave_idle(int lane) {
-    box_rays_[lane] = idle_ray();
+    box_rays_[lane][0] = {};
+    in_mesh_[lane] = 0;
     farthest_.of[lane] = -1; // meets no box
     end(lane);
   }
@@ -119,7 +134,10 @@ public:
     unsigned with_references = 0; // a bit per lane
     for (int lane = 0; lane < lanes; ++lane) {
       const HierarchyNode& node = *node_[lane];
-      const BoxesMet<float> met = boxes_met(node, box_rays_[lane], farthest_.of[lane]);
+      const std::size_t in_mesh = is_placed ? in_mesh_[lane] : 0;
+      const BoxRay<Stored>&entering = box_rays_[lane][in_mesh], &leaving = box_rays_[lane][2 * in_mesh];
+      const BoxesMet<float> met =
+          boxes_met(node, planes_of(node, entering), entering, leaving, farthest_.of[lane]);
       const __m256i slots = eight_bytes(node.slots);
       const __m256i nodes = _mm256_cmpeq_epi32(slots & is_node, is_node) & met.lanes.whole();
       const __m256i entry = (met.enter.whole() & ~_mm256_set1_epi32(slot_mask)) | numbers;
@@ -144,15 +162,16 @@ public:
       end += count;
     });
     test_count_ = end;
-    const PrimitiveIndex* const references = hierarchy_.references;
     for (std::uint32_t i = 0; i < end; ++i) {
-      test_[i] = references[test_[i]];
-      if constexpr (tests_triangles_in_lanes<M, Stored>) prefetch(scene.triangles + test_[i]);
+      if constexpr (is_placed)
+        prefetch(structure_.placed.of_meshes.leaves + test_[i]);
+      else
+        test_[i] = structure_.references[test_[i]];
+      if constexpr (!is_placed && tests_triangles_in_lanes<M, Stored>) prefetch(scene.triangles + test_[i]);
     }
   }
 
   MASU_ALWAYS_INLINE void push() {
-    const HierarchyNode* const nodes = hierarchy_.nodes;
     sort_descending(entries_met_);
     for (int lane = 0; lane < lanes; ++lane) {
       NodesAhead& ahead = ahead_[lane];
@@ -164,7 +183,7 @@ public:
       store_eight(ahead.siblings + height, _mm256_set1_epi64x(siblings));
       store_eight(ahead.siblings + height + 4, _mm256_set1_epi64x(siblings));
       // There is room, but while a mapped file changes: then results are thrown away.
-      take(nodes, lane, higher > below + max_nodes_ahead ? below : higher);
+      take(lane, higher > below + max_ahead ? below : higher);
       prefetch(node_[lane]);
     }
   }
@@ -187,7 +206,9 @@ public:
             across1_.of_rays(of),
             across2_.of_rays(of)};
         Lanes<Real> t = 0;
-        const LaneMask<Real> hits = intersect(rays, scene.triangles, test_ + first, t);
+        const LaneMask<Real> hits = intersect<Stored>(
+            rays,
+            [&](auto corner) __attribute__((always_inline)) { return corners_of(scene, first, corner); }, t);
         t.store(test_t_ + first);
         add_hits(first, _bzhi_u32(hits.bits(), test_count_ - first));
       }
@@ -210,7 +231,7 @@ public:
     for (std::uint32_t first = 0; first < test_count_; first += 64) {
       for (std::uint64_t bits = hits_[first / 64]; bits != 0; bits &= bits - 1) {
         const std::uint32_t i = first + static_cast<std::uint32_t>(std::countr_zero(bits));
-        keep(test_lane_[i], test_t_[i], test_[i]);
+        keep(test_lane_[i], test_t_[i], primitive(i));
       }
     }
     const __m256i farthest = farthest_.all().whole() | _mm256_set1_epi32(slot_mask),
@@ -223,14 +244,25 @@ public:
           static_cast<std::uint8_t>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(top, limit))));
       const std::ptrdiff_t height = height_[lane] - std::countl_one(bits);
       if (height > below) {
-        take(hierarchy_.nodes, lane, height);
+        take(lane, height);
       } else {
         next_ray(lane);
       }
     });
+    if constexpr (is_placed) {
+      unsigned at_items = 0;
+      for (int lane = 0; lane < lanes; ++lane)
+        at_items |=
+            (entry_[lane] != nowhere && in_mesh_[lane] == 0 && node_slots(*node_[lane]) == 0 ? 1U : 0U)
+            << lane;
+      each_bit(at_items, [&](int lane) { enter_mesh(lane); });
+    }
   }
 
 private:
+  static constexpr bool is_placed = !std::is_same_v<Structure, HierarchyView<Real>>;
+  static constexpr int max_ahead = is_placed ? max_placed_ahead : max_nodes_ahead;
+
   // Nodes that a lane has still to visit, those of a node with the nearest last. `entries`: the bits of where
   // the ray enters them, which as whole numbers are in the same order, with the slot in place of the last
   // three: so an entry is compared with a distance whose last three bits are set. `siblings`: `exponents` of
@@ -238,15 +270,13 @@ private:
   // reaches, and eight are always written, of which those that weren't met don't count.
   static constexpr int below = 9;
   struct NodesAhead {
-    std::int32_t entries[below + max_nodes_ahead + boxes_per_node];
-    std::uint64_t siblings[below + max_nodes_ahead + boxes_per_node];
+    std::int32_t entries[below + max_ahead + boxes_per_node];
+    std::uint64_t siblings[below + max_ahead + boxes_per_node];
   };
   static constexpr std::int32_t nowhere = 0x7fffffff;
   static constexpr int slot_mask = 7;
   static constexpr std::uint32_t all_references = 0xffffff;
   static constexpr unsigned most_tests = lanes * max_references_per_node;
-
-  static BoxRay<Stored> idle_ray() { return {Vec3f{0, 0, 0}, Vec3f{1, 1, 1}}; }
 
   MASU_ALWAYS_INLINE void go_to(int lane, const HierarchyNode* node, std::int32_t entry,
                                 std::ptrdiff_t height) {
@@ -255,13 +285,69 @@ private:
     height_[lane] = height;
   }
   MASU_ALWAYS_INLINE void end(int lane) { go_to(lane, node_[lane], nowhere, below); }
+  // Where the nodes are of what is ahead at that height: a mesh is left where that is of what is above.
+  MASU_ALWAYS_INLINE const HierarchyNode* nodes_at(int lane, std::ptrdiff_t height) {
+    if constexpr (is_placed) {
+      in_mesh_[lane] = height < mesh_begin_[lane] ? 0 : in_mesh_[lane];
+      return in_mesh_[lane] != 0 ? structure_.placed.of_meshes.nodes : structure_.placed.upper_nodes;
+    } else {
+      return structure_.nodes;
+    }
+  }
+  // From an item to the root of its mesh, whose nodes are put ahead above all others; an item that the ray
+  // doesn't see is a node without boxes.
+  MASU_ALWAYS_INLINE void enter_mesh(int lane) {
+    const PlacedView<Stored>& placed = structure_.placed;
+    const std::uint32_t item = node_[lane]->first_reference;
+    const auto own = placed.entrance(*node_[lane]);
+    if (!PlacedRay<Stored>{placed, 0, mask_[lane], structure_.object_masks}.sees(item, own)) return;
+    const auto i = static_cast<std::size_t>(lane);
+    const BoundRay<Real> ray = carried_ray(own, origin_.of(i), direction_.of(i));
+    box_rays_[lane][1] = BoxRay<Stored>(ray.entering, ray.inverse);
+    box_rays_[lane][2] = BoxRay<Stored>(ray.leaving, ray.inverse);
+    const Placement<Stored>& placement = placed.placements[item];
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column)
+        rows_[row][column].of[lane] = placement.rows[row][column];
+    first_triangle_[lane] = placement.first_triangle;
+    mesh_begin_[lane] = height_[lane];
+    in_mesh_[lane] = 1;
+    node_[lane] = placed.of_meshes.nodes + own.root;
+    prefetch(node_[lane]);
+  }
+  // Of the triangles to be tested from `first` on one corner each.
+  MASU_ALWAYS_INLINE Vec3<Lanes<Real>> corners_of(const SceneView<Stored>& scene, std::uint32_t first,
+                                                  Vec3<Stored> Triangle<Stored>::*corner) const {
+    if constexpr (is_placed) {
+      static_assert(sizeof(Leaf<Stored>) == sizeof(Triangle<Stored>));
+      const Vec3<Lanes<Stored>> v =
+          corners<Stored>(&structure_.placed.of_meshes.leaves->record, test_ + first, corner);
+      const auto along = [&](const Numbers<Stored, lanes>(&row)[4]) __attribute__((always_inline)) {
+        const auto of = [&](int column) { return row[column].of_rays(test_lane_ + first); };
+        const Lanes<Stored> of_lanes[4] = {of(0), of(1), of(2), of(3)};
+        if constexpr (std::is_same_v<Real, Stored>)
+          return masu::along(of_lanes, v);
+        else
+          return part_of<Real>(masu::along(of_lanes, v), 0);
+      };
+      return {along(rows_[0]), along(rows_[1]), along(rows_[2])};
+    } else {
+      return corners<Real>(scene.triangles, test_ + first, corner);
+    }
+  }
+  MASU_ALWAYS_INLINE PrimitiveIndex primitive(std::uint32_t test) const {
+    if constexpr (is_placed)
+      return first_triangle_[test_lane_[test]] + structure_.placed.of_meshes.leaves[test_[test]].primitive();
+    else
+      return test_[test];
+  }
   // The last of those ahead.
-  MASU_ALWAYS_INLINE void take(const HierarchyNode* nodes, int lane, std::ptrdiff_t height) {
+  MASU_ALWAYS_INLINE void take(int lane, std::ptrdiff_t height) {
     const std::uint64_t siblings = ahead_[lane].siblings[--height];
     const std::int32_t entry = ahead_[lane].entries[height];
     const std::uint32_t before =
         _bzhi_u32(static_cast<std::uint32_t>(siblings) >> 24, static_cast<std::uint32_t>(entry & slot_mask));
-    go_to(lane, nodes + (siblings >> 32) + std::popcount(before), entry, height);
+    go_to(lane, nodes_at(lane, height) + (siblings >> 32) + std::popcount(before), entry, height);
   }
 
   MASU_ALWAYS_INLINE void keep(int lane, Real t, PrimitiveIndex primitive) {
@@ -280,8 +366,8 @@ private:
   // Of each lane: its ray, and the nearest hit so far, at t_max where there is none.
   Vectors<Real, lanes> origin_, direction_, across1_, across2_;
   Numbers<Real, lanes> inverse_square_;
-  BoxRay<Stored> box_rays_[lanes]{idle_ray(), idle_ray(), idle_ray(), idle_ray(),
-                                  idle_ray(), idle_ray(), idle_ray(), idle_ray()};
+  // In the world; in a mesh by how it enters boxes, and by how it leaves them.
+  BoxRay<Stored> box_rays_[lanes][is_placed ? 3 : 1];
   Real t_min_[lanes], t_max_[lanes], t_[lanes];
   Numbers<float, lanes> farthest_; // in_float32(t_); where nothing is to be met -1
   PrimitiveIndex primitive_[lanes];
@@ -296,14 +382,19 @@ private:
   __m256i entries_met_[lanes];
   std::uint32_t met_[lanes];
 
-  // Primitives to be tested, each one's lane, and where it is hit, a bit for each hit.
+  // Primitives to be tested, of meshes leaves, each one's lane, and where it is hit, a bit for each hit.
   alignas(32) Real test_t_[most_tests + 8];
-  PrimitiveIndex test_[most_tests + 8];
+  std::uint32_t test_[most_tests + 8];
   int test_lane_[most_tests + 8];
   std::uint64_t hits_[most_tests / 64];
   std::uint32_t test_count_ = 0;
 
-  const HierarchyView<Real> hierarchy_;
+  // Of each lane through placed meshes: whether it is in one, where in what is ahead that begins, and the
+  // rows of the placement's transform.
+  std::uint32_t in_mesh_[lanes]{}, mask_[lanes], first_triangle_[lanes];
+  std::ptrdiff_t mesh_begin_[lanes]{};
+  Numbers<Stored, lanes> rows_[3][4];
+  const Structure structure_;
 };
 
 } // namespace masu

@@ -1,13 +1,13 @@
-// Rays that are alike, as camera rays are, through a bounding volume hierarchy as a packet, on one thread of
-// a processor with AVX2: a node is visited once for all of them. Boxes that no ray between the bounds of
-// their origins and inverse directions meets are passed over, eight at a time (after Boulos, Wald & Shirley,
-// "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006). What is left is tested against a
-// row of rays at a time, eight in float32 and four in float64: a node's box until some meet it (after
-// Overbeck, Ramamoorthi & Mark, "Large Ray Packets for Real-Time Whitted Ray Tracing", 2008), that of
-// references against all, and each primitive against the rows that meet its box. Host only.
+// Rays that are alike, as camera rays are, through a bounding volume hierarchy or placed meshes as a packet,
+// on one thread of a processor with AVX2: a node is visited once for all of them. Boxes that no ray between
+// the bounds of their origins and inverse directions meets are passed over, eight at a time (after Boulos,
+// Wald & Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006). What is left is
+// tested against a row of rays at a time, eight in float32 and four in float64: a node's box until some meet
+// it (after Overbeck, Ramamoorthi & Mark, "Large Ray Packets for Real-Time Whitted Ray Tracing", 2008), that
+// of references against all, and each primitive against the rows that meet its box. Host only.
 #pragma once
 
-#include "libgrid/hierarchy/walk/boxes_avx2.h"
+#include "libgrid/placed/placed_lanes_avx2.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/geometry/triangle_lanes.h"
 
@@ -15,41 +15,56 @@
 
 namespace masu {
 
+// Takes from what is left of each row the rays that run as one of them does: by their inverse directions.
+template <class Real, int rows, class InverseOf>
+MASU_ALWAYS_INLINE void take_alike(const InverseOf& inverse_of, const Vec3<Real>& way, unsigned (&left)[rows],
+                                   unsigned (&alike)[rows]) {
+  for (int e = 0; e < rows; ++e) {
+    alike[e] = 0;
+    if (left[e] == 0) continue;
+    alike[e] = left[e] & ~(smallest(inverse_of(e) * all_of(way)) < Real(0)).bits();
+    left[e] ^= alike[e];
+  }
+}
+
 // Rays of a packet that run the same way along each axis, on their way through a hierarchy. M: a Method by
-// watertight tests. Rays: a row of rays made ready (renderer/cpu/ray_lanes.h).
-template <Query query, class M, class Stored, class Rays>
+// watertight tests. Rays: a row of rays made ready (renderer/cpu/ray_lanes.h). Structure: a hierarchy, or a
+// PlacedRay<Stored> of triangles that are tested in lanes, which all of them see alike: through a mesh go
+// together those that run the same way in it.
+template <Query query, class M, class Stored, class Rays, class Structure = HierarchyView<typename M::Real>>
 class PacketWalk {
 public:
   using Real = typename M::Real;
   static constexpr int rows = 32 / Rays::count; // a tile of 8 by 4 pixels
+  static constexpr bool is_placed = !std::is_same_v<Structure, HierarchyView<Real>>;
 
   // `lanes`: of each row a bit for each ray that takes part, of which there is one at least; `way`: signs of
   // all their directions. Of rows of which no ray takes part nothing is read.
   MASU_ALWAYS_INLINE PacketWalk( // NOLINT(cppcoreguidelines-pro-type-member-init): the body does it
-      const SceneView<Stored>& scene, const HierarchyView<Real>& hierarchy, const Rays (&rays)[rows],
+      const SceneView<Stored>& scene, const Structure& structure, const Rays (&rays)[rows],
       const unsigned (&lanes)[rows], const Vec3<Real>& way)
-      : scene_(scene), hierarchy_(hierarchy), rays_(rays), entering_(bound(rays, lanes, way, true)),
-        leaving_(bound(rays, lanes, way, false)) {
+      : scene_(scene), structure_(structure), rays_(rays) {
     for (int e = 0; e < rows; ++e) {
       t_[e] = Real(-1); // meets no box
       if (lanes[e] == 0) continue;
       taking_part_ |= 1U << e;
-      inverse_[e] = inverse(rays[e]);
+      const Vec3<Number> origin = rays[e].origin.all();
+      world_.rays[e] = {origin, origin, inverse(rays[e])};
       t_[e] = select(lanes_of<Real>(lanes[e]), rays[e].t_max.all(), t_[e]);
       primitive_[e] = _mm256_setzero_si256(); // wins no tie at t_max
     }
+    world_.bind(lanes, way);
     update_farthest();
   }
 
   MASU_ALWAYS_INLINE void walk() {
-    Ahead ahead[max_nodes_ahead + boxes_per_node];
-    int height = 0;
-    for (Ahead next{0, 0, taking_part_};;) {
-      height = visit(next, ahead, height);
-      do {
-        if (height == 0) return;
-        next = ahead[--height];
-      } while (!(next.enter <= farthest_));
+    Ahead ahead[max_ahead + boxes_per_node];
+    if constexpr (is_placed) {
+      const auto [first, second] = structure_.roots();
+      for (const std::uint32_t root : {first, second})
+        if (root != no_root) visit_all<false>(world_, {0, root, taking_part_}, ahead, 0);
+    } else {
+      visit_all<false>(world_, {0, 0, taking_part_}, ahead, 0);
     }
   }
 
@@ -65,6 +80,7 @@ public:
 
 private:
   using Number = Lanes<Real>;
+  static constexpr int max_ahead = is_placed ? max_placed_ahead : max_nodes_ahead;
 
   // A node to visit, and where the first ray enters it: before that, or there.
   struct Ahead {
@@ -80,10 +96,22 @@ private:
     return {bounded(v.x), bounded(v.y), bounded(v.z)};
   }
 
+  // The rows' rays where boxes are, in the world or in a mesh. In the world origins are the same.
+  struct Space {
+    BoundRay<Number> rays[rows]{};
+    BoxRay<Stored> entering, leaving; // bound()
+
+    MASU_ALWAYS_INLINE void bind(const unsigned (&lanes)[rows], const Vec3<Real>& way) {
+      entering = bound(rays, &BoundRay<Number>::entering, lanes, way);
+      leaving = bound(rays, &BoundRay<Number>::leaving, lanes, way);
+    }
+  };
+
   // A ray that enters no box after one of the packet's does, or one that leaves none before. That is so of
   // products that are positive; negative ones are before all rays begin.
-  static BoxRay<Stored> bound(const Rays (&rays)[rows], const unsigned (&lanes)[rows], const Vec3<Real>& way,
-                              bool enters) {
+  static BoxRay<Stored> bound(const BoundRay<Number> (&rays)[rows], Vec3<Number> BoundRay<Number>::*origin_of,
+                              const unsigned (&lanes)[rows], const Vec3<Real>& way) {
+    const bool enters = origin_of == &BoundRay<Number>::entering;
     constexpr Real largest = RealTraits<Real>::largest;
     Vec3<Real> origin{}, speed{};
     for (int axis = 0; axis < 3; ++axis) {
@@ -92,8 +120,8 @@ private:
       for (int e = 0; e < rows; ++e) {
         if (lanes[e] == 0) continue;
         const LaneMask<Real> own = lanes_of<Real>(lanes[e]);
-        const Number own_from = select(own, rays[e].origin.all()[axis], from),
-                     own_inverse = select(own, inverse(rays[e])[axis], inverted);
+        const Number own_from = select(own, (rays[e].*origin_of)[axis], from),
+                     own_inverse = select(own, rays[e].inverse[axis], inverted);
         from = last ? max(from, own_from) : min(from, own_from);
         inverted = last ? min(inverted, own_inverse) : max(inverted, own_inverse);
       }
@@ -124,32 +152,94 @@ private:
   };
 
   // A function of a slot: which of a row's rays meet its box.
-  MASU_ALWAYS_INLINE auto meeting(const HierarchyNode& node, const Planes& planes, int e) const {
+  template <bool in_mesh>
+  MASU_ALWAYS_INLINE auto meeting(const BoundRay<Number>& rays, const HierarchyNode& node,
+                                  const Planes& planes, int e) const {
     const auto unit = [&](int axis) -> Number {
       return float_of((node.exponents >> (8 * axis) & 0xff) << 23);
     };
-    const Vec3<Number> scale = inverse_[e] * Vec3<Number>{unit(0), unit(1), unit(2)},
-                       start =
-                           (Vec3<Number>{Real(node.origin[0]), Real(node.origin[1]), Real(node.origin[2])} -
-                            rays_[e].origin.all()) *
-                           inverse_[e];
-    return [&planes, scale, start, farthest = t_[e] ](int slot) __attribute__((always_inline)) {
-      const auto at = [&](const Real(&of_slots)[3][boxes_per_node]) __attribute__((always_inline)) {
+    const Vec3<Number> scale = rays.inverse * Vec3<Number>{unit(0), unit(1), unit(2)},
+                       origin{Real(node.origin[0]), Real(node.origin[1]), Real(node.origin[2])},
+                       entered = (origin - rays.entering) * rays.inverse,
+                       left = in_mesh ? (origin - rays.leaving) * rays.inverse : entered;
+    return [&planes, scale, entered, left, farthest = t_[e] ](int slot) __attribute__((always_inline)) {
+      const auto at = [&](const Real(&of_slots)[3][boxes_per_node], const Vec3<Number>& start)
+          __attribute__((always_inline)) {
         const auto along = [&](int axis) __attribute__((always_inline)) {
           return fma(Number(of_slots[axis][slot]), scale[axis], start[axis]);
         };
         return Vec3<Number>{along(0), along(1), along(2)};
       };
-      return boxes_met<Real>(at(planes.near), at(planes.far), farthest).slots();
+      return boxes_met<Real>(at(planes.near, entered), at(planes.far, left), farthest).slots();
     };
+  }
+
+  // And all below it; what is ahead up to `begin` isn't.
+  template <bool in_mesh>
+  MASU_ALWAYS_INLINE void visit_all(const Space& space, Ahead next, Ahead* ahead, const int begin) {
+    for (int height = begin;;) {
+      height = visit<in_mesh>(space, next, ahead, height);
+      do {
+        if (height == begin) return;
+        next = ahead[--height];
+      } while (!(next.enter <= farthest_));
+    }
+  }
+
+  void visit_mesh(const HierarchyNode& item, unsigned of_rows, Ahead* ahead, int height) {
+    const auto own = structure_.placed.entrance(item);
+    if (!structure_.sees(item.first_reference, own)) return;
+    placement_ = structure_.placed.placements + item.first_reference;
+    Space mesh;
+    unsigned left[rows] = {}, alike[rows];
+    each_bit(of_rows, [&](int e) {
+      mesh.rays[e] = carried_ray(own, rays_[e].origin.all(), rays_[e].flushed.all());
+      left[e] = (Number(Real(0)) <= t_[e]).bits();
+    });
+    for (int e = 0; e < rows; ++e) {
+      while (left[e] != 0) {
+        Vectors<Real, Rays::count> inverse;
+        inverse.set(mesh.rays[e].inverse);
+        const Vec3<Real> way = inverse.of(static_cast<std::size_t>(std::countr_zero(left[e])));
+        take_alike([&](int row) { return mesh.rays[row].inverse; }, way, left, alike);
+        mesh.bind(alike, way);
+        unsigned taking_part = 0;
+        for (int row = e; row < rows; ++row)
+          taking_part |= (alike[row] != 0 ? 1U : 0U) << row;
+        visit_all<true>(mesh, {0, own.root, taking_part}, ahead, height);
+      }
+    }
+  }
+
+  template <bool in_mesh>
+  MASU_ALWAYS_INLINE const HierarchyNode* nodes() const {
+    if constexpr (is_placed)
+      return in_mesh ? structure_.placed.of_meshes.nodes : structure_.placed.upper_nodes;
+    else
+      return structure_.nodes;
+  }
+  // A reference's triangle as it is stored; of other kinds none.
+  MASU_ALWAYS_INLINE const Triangle<Stored>* stored_triangle(std::uint32_t reference) const {
+    if constexpr (is_placed)
+      return &structure_.placed.of_meshes.leaves[reference].record;
+    else if constexpr (!tests_triangles_in_lanes<M, Stored>)
+      return nullptr;
+    else
+      return scene_.triangles + structure_.references[reference];
   }
 
   // Tests what the rays meet of a node's references, and puts its nodes that they meet ahead, the nearest
   // last. Returns how many there are then.
-  MASU_ALWAYS_INLINE int visit(const Ahead& own, Ahead* ahead, int height) {
-    const HierarchyNode& node = hierarchy_.nodes[own.node];
-    const NodePlanes numbers = planes_of(node, entering_);
-    const BoxesMet<float> boxes = boxes_met(node, numbers, entering_, leaving_, farthest_);
+  template <bool in_mesh>
+  MASU_ALWAYS_INLINE int visit(const Space& space, const Ahead& own, Ahead* ahead, int height) {
+    const HierarchyNode& node = nodes<in_mesh>()[own.node];
+    if constexpr (is_placed && !in_mesh)
+      if (node_slots(node) == 0) {
+        visit_mesh(node, own.rows, ahead, height);
+        return height;
+      }
+    const NodePlanes numbers = planes_of(node, space.entering);
+    const BoxesMet<float> boxes = boxes_met(node, numbers, space.entering, space.leaving, farthest_);
     const Planes planes(numbers);
     const unsigned siblings = node_slots(node), with_references = boxes.slots() & ~siblings;
 
@@ -158,7 +248,7 @@ private:
     std::uint8_t lanes[boxes_per_node][rows] = {};
     for (int e = 0; e < rows && (undecided | with_references) != 0; ++e) {
       if ((own.rows >> e & 1) == 0) continue;
-      const auto meets = meeting(node, planes, e);
+      const auto meets = meeting<in_mesh>(space.rays[e], node, planes, e);
       each_bit(undecided, [&](int slot) {
         if (meets(slot) == 0) return;
         undecided &= ~(1U << slot);
@@ -173,14 +263,14 @@ private:
         const std::uint32_t held = slot_byte(node.slots, slot),
                             first = node.first_reference + references_begin(held);
         for (std::uint32_t i = 0; i < references_in(held); ++i)
-          act(hierarchy_.references[first + i], lanes[slot]);
+          act(first + i, lanes[slot]);
       });
     };
     if constexpr (tests_triangles_in_lanes<M, Stored>)
-      each_reference([&](PrimitiveIndex primitive, const auto&) { prefetch(scene_.triangles + primitive); });
+      each_reference([&](std::uint32_t reference, const auto&) { prefetch(stored_triangle(reference)); });
     if (to_visit != 0) {
       // There is room, but while a mapped file changes: then results are thrown away.
-      if (height > max_nodes_ahead) [[unlikely]]
+      if (height > max_ahead) [[unlikely]]
         height = 0;
       const int begin = height;
       alignas(32) float enter[boxes_per_node];
@@ -193,27 +283,36 @@ private:
           ahead[at] = ahead[at - 1];
         ahead[at] = child;
       });
-      prefetch(hierarchy_.nodes + ahead[height - 1].node);
+      prefetch(nodes<in_mesh>() + ahead[height - 1].node);
     }
-    each_reference([&](PrimitiveIndex primitive, const auto& of) {
-      for (int e = 0; e < rows; ++e)
-        if (of[e] != 0) test(e, of[e], primitive);
+    each_reference([&](std::uint32_t reference, const auto& of) {
+      const auto test_all = [&](PrimitiveIndex primitive, const Triangle<Stored>* triangle)
+          __attribute__((always_inline)) {
+        for (int e = 0; e < rows; ++e)
+          if (of[e] != 0) test(e, of[e], primitive, triangle);
+      };
+      if constexpr (is_placed) {
+        const Leaf<Stored> leaf{placed_triangle(*placement_, *stored_triangle(reference))};
+        test_all(placement_->first_triangle + leaf.primitive(), &leaf.record);
+      } else {
+        test_all(structure_.references[reference], stored_triangle(reference));
+      }
     });
     if (with_references != 0) update_farthest();
     return height;
   }
 
-  MASU_ALWAYS_INLINE void test(int e, unsigned lanes, PrimitiveIndex primitive) {
+  MASU_ALWAYS_INLINE void test(int e, unsigned lanes, PrimitiveIndex primitive,
+                               const Triangle<Stored>* triangle) {
     const Rays& own = rays_[e];
     if constexpr (tests_triangles_in_lanes<M, Stored>) {
       const WatertightRay<Number> ray{{own.origin.all(), own.flushed.all(), own.inverse_square.all()},
                                       own.across1.all(),
                                       own.across2.all()};
-      const Triangle<Stored>& triangle = scene_.triangles[primitive];
       const auto corner = [&](const auto& c) { return all_of(cast<Real>(c)) - ray.origin; };
       Number t = 0;
       const LaneMask<Real> hits =
-          intersect(ray, corner(triangle.a), corner(triangle.b), corner(triangle.c), t);
+          intersect(ray, corner(triangle->a), corner(triangle->b), corner(triangle->c), t);
       keep(e, hits & (own.t_min.all() < t), t, primitive);
     } else {
       NoTestCounts counts;
@@ -241,12 +340,12 @@ private:
   }
 
   const SceneView<Stored>& scene_;
-  const HierarchyView<Real> hierarchy_;
+  const Structure structure_;
+  const Placement<Stored>* placement_ = nullptr; // in whose mesh the rays are
   const Rays (&rays_)[rows];
-  const BoxRay<Stored> entering_, leaving_; // bound()
+  Space world_;
   Number t_[rows];
   __m256i primitive_[rows];
-  Vec3<Number> inverse_[rows];
   unsigned taking_part_ = 0; // a bit for each row
   float farthest_;           // of the nearest hits
 };

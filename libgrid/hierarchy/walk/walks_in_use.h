@@ -17,7 +17,7 @@
 //   PacketWalk             of lists what is alike, as     nodes, and which    nearest that   P 1.35
 //     packet_avx2.h        most camera rays are           rows may meet them  any meets
 //
-// Through placed meshes there are others of the first three (libgrid/placed).
+// Through placed meshes there are others of the first three (libgrid/placed); the last two go there, too.
 //
 // Earns: the rate over that of the next simpler walk (HierarchyWalk; for EightWalks NearestFirstWalk, for
 // PacketWalk EightWalks), where it isn't within .02 of it, for rays P primary, D diffuse, R random, S shadow;
