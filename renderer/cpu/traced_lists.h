@@ -10,8 +10,6 @@
 
 namespace masu {
 
-inline constexpr std::size_t rays_per_task = 4096;
-
 // Of ray i's nearest hit what follows from its number; of one through placed meshes placed_rays.h writes it.
 template <class Real, class Stored, class Structure>
 void write_named(const SceneView<Stored>& scene, const Structure&, const Ray<Real>& ray,
@@ -28,6 +26,10 @@ std::uint64_t tests_each(const SceneView<Stored>& scene, const Structure&) {
 // Whether it is placed meshes, whose rays see each its own.
 template <class Structure>
 inline constexpr bool is_placed = !std::is_same_v<SeenIn<Structure>, Structure>;
+
+// Lists through placed meshes are short, as of a robot's sensor, and shared by cores nevertheless.
+template <class Structure>
+inline constexpr std::size_t rays_per_task = is_placed<Structure> ? 512 : 4096;
 
 // Traces as many rays from `first` on as can be several at a time; returns the first one left.
 template <Query query, class M, class Stored, class Structure, class C>
@@ -95,7 +97,7 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
     }
     return counts;
   };
-  const tbb::blocked_range<std::size_t> all(0, rays.count, rays_per_task);
+  const tbb::blocked_range<std::size_t> all(0, rays.count, rays_per_task<Structure>);
   report.counts = all.is_divisible() ? tbb::parallel_reduce(all, Counts{}, trace_some,
                                                             [](Counts a, const Counts& b) { return a += b; })
                                      : trace_some(all, {}); // without what TBB takes for a call of one ray
