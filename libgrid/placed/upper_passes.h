@@ -89,15 +89,8 @@ struct UpperArrays {
   }
   // Of a group without items nothing else is written.
   MASU_HD void add_group(std::uint32_t group) const {
-    std::uint32_t low = 0, high = count; // before the first item of no group before
-    while (low < high) {
-      const std::uint32_t middle = low + (high - low) / 2;
-      if (group_of(middle) < group)
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    if (low != count && group_of(low) == group) return;
+    const auto of = [this](std::uint32_t item) { return group_of(item); };
+    if (count > 0 && of(0) <= group && of(last_not_above(count, group, of)) == group) return;
     contents[group].content = none;
     roots[group] = no_root;
   }
