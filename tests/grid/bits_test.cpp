@@ -11,7 +11,7 @@ namespace {
 
 using Bits = RandomTest;
 
-std::string digits(std::uint32_t word) {
+std::string binary(std::uint32_t word) {
   std::string all;
   for (int bit = 31; bit >= 0; --bit)
     all += (word >> bit & 1) != 0 ? '1' : '0';
@@ -24,7 +24,7 @@ TEST_F(Bits, AppendedTakesTheTopBits) {
     const auto bits = static_cast<std::uint32_t>(engine()), from = static_cast<std::uint32_t>(engine());
     const auto count = static_cast<std::int32_t>(engine() % 32);
     const auto n = static_cast<std::size_t>(count);
-    ASSERT_EQ(digits(appended(bits, from, count)), digits(bits).substr(n) + digits(from).substr(0, n));
+    ASSERT_EQ(binary(appended(bits, from, count)), binary(bits).substr(n) + binary(from).substr(0, n));
   }
 }
 
@@ -34,8 +34,8 @@ TEST_F(Bits, MovedToTopShiftsTheLowestBits) {
     const auto from = static_cast<std::uint32_t>(engine());
     const auto count = static_cast<std::int32_t>(engine() % 32);
     const auto n = static_cast<std::size_t>(count);
-    ASSERT_EQ(digits(moved_to_top(static_cast<std::int32_t>(from), count)),
-              digits(from).substr(32 - n) + std::string(32 - n, '0'));
+    ASSERT_EQ(binary(moved_to_top(static_cast<std::int32_t>(from), count)),
+              binary(from).substr(32 - n) + std::string(32 - n, '0'));
   }
 }
 

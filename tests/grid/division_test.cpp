@@ -15,25 +15,25 @@ using AutomaticDivision = RandomTest;
 using AutomaticDivisions = RandomTest;
 using CostModel = RandomTest;
 
-using Kind = DivisionRule::Kind;
+using RuleKind = DivisionRule::Kind;
 
 // --- How rules are written -------------------------------------------------------------------------------
 
 TEST(DivisionRules, AreReadAsTheyAreWritten) {
-  EXPECT_EQ(parse_division("auto").kind, Kind::automatic);
+  EXPECT_EQ(parse_division("auto").kind, RuleKind::automatic);
   EXPECT_EQ(parse_division("17").fixed, (Vec3i{17, 17, 17}));
   EXPECT_EQ(parse_division("1x2x65535").fixed, (Vec3i{1, 2, 65535}));
-  EXPECT_EQ(parse_division("1x2x3").kind, Kind::fixed);
-  const auto expect = [](const char* text, Kind kind, double parameter) {
+  EXPECT_EQ(parse_division("1x2x3").kind, RuleKind::fixed);
+  const auto expect = [](const char* text, RuleKind kind, double parameter) {
     const DivisionRule rule = parse_division(text);
     EXPECT_EQ(rule.kind, kind) << text;
     EXPECT_EQ(rule.parameter, parameter) << text;
     EXPECT_EQ(rule.text, text);
   };
-  expect("cube-root:3", Kind::cube_root, 3);
-  expect("woo:0.5", Kind::woo, 0.5);
-  expect("heterogeneous:2.25", Kind::heterogeneous, 2.25);
-  expect("cleary:1e2", Kind::cleary, 100);
+  expect("cube-root:3", RuleKind::cube_root, 3);
+  expect("woo:0.5", RuleKind::woo, 0.5);
+  expect("heterogeneous:2.25", RuleKind::heterogeneous, 2.25);
+  expect("cleary:1e2", RuleKind::cleary, 100);
 }
 
 class BadDivision : public testing::TestWithParam<const char*> {};
@@ -298,12 +298,12 @@ TEST_F(AutomaticDivisions, MakeABoundedNumberOfReferences) {
             scene.spheres.push_back(sphere_of<float>(cast<double>(near(a)), 0.5));
         }
         const DivisionStatistics statistics = division_statistics(scene.view());
-        for (const Kind kind : {Kind::automatic, Kind::nested}) {
+        for (const RuleKind kind : {RuleKind::automatic, RuleKind::nested}) {
           DivisionRule rule;
           rule.kind = kind;
           const GridLayout layout =
               make_grid_layout<float>(scene.bounds(), SpaceRule::tight, rule, statistics);
-          const double most = kind == Kind::nested ? 16 : 128;
+          const double most = kind == RuleKind::nested ? 16 : 128;
           EXPECT_LE(expected_references(statistics.all, layout), 0x1p16 + most * static_cast<double>(count))
               << count << " of shape " << shape << " spread by " << spread;
         }

@@ -29,8 +29,8 @@ template <class Real>
 using List = std::vector<Crossing<Real>>;
 
 template <class Real, class Stored, class Structure>
-List<Real> listed(const SceneView<Stored>& scene, const Structure& grid, const Ray<Real>& ray,
-                  const HitFilter& filter, std::uint32_t limit = no_primitive) {
+List<Real> list_along(const SceneView<Stored>& scene, const Structure& grid, const Ray<Real>& ray,
+                      const HitFilter& filter, std::uint32_t limit = no_primitive) {
   List<Real> list;
   const std::uint32_t count = hits_in_order<Robust<Real>>(
       scene, grid, ray, filter, limit, [&](std::uint32_t i, const auto& near, bool front) {
@@ -140,7 +140,7 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
       hits += first.size();
       many += first.size() > hits_per_pass ? 1 : 0;
       this->with_structures(scene, grid, hierarchy, [&](const auto& structure) {
-        ASSERT_EQ(listed(view, structure, ray, filter, limit), first)
+        ASSERT_EQ(list_along(view, structure, ray, filter, limit), first)
             << described(ray.origin, ray.direction) << ' ' << described(grid);
       });
     }
@@ -174,7 +174,7 @@ TYPED_TEST(HitsInOrder, TakeAFewPassesHoweverManyThereAre) {
       const SceneView<Real> view = scene.view();
       const Ray<Real> ray = unbounded_ray<Real>({0, 0, -1}, {0, 0, 1});
       std::uint64_t shown = 0;
-      const List<Real> list = listed(view, CountedTrials{&shown}, ray, {});
+      const List<Real> list = list_along(view, CountedTrials{&shown}, ray, {});
       EXPECT_EQ(list.size(), n);
       EXPECT_LE(shown, 6U * n) << n << " hits " << apart << " apart";
       EXPECT_EQ(list, tried(view, ray, {}));
@@ -198,7 +198,7 @@ TYPED_TEST(HitsInOrder, CrossAClosedMeshAsOftenInwardsAsOutwards) {
     with_view<Real>(grid, [&](const auto& structure) {
       for (int r = 0; r < 200; ++r) {
         const Ray<Real> ray = crossing_ray<Real>(chance, triangles, size);
-        const List<Real> list = listed(view, structure, ray, {});
+        const List<Real> list = list_along(view, structure, ray, {});
         const auto fronts = std::ranges::count(list, true, &Crossing<Real>::front);
         ASSERT_EQ(static_cast<std::size_t>(2 * fronts), list.size())
             << described(ray.origin, ray.direction) << " size " << size;
@@ -239,7 +239,7 @@ TYPED_TEST(HitsInOrder, TellPointsInsideAClosedMesh) {
         if (chance.one_in(2)) direction = cast<double>(cast<int>(chance.in_cube(2.9)));
         if (largest_magnitude(direction) == 0) direction = {0, 1, 0};
         const Ray<Real> ray = unbounded_ray(cast<Real>(point), cast<Real>(direction));
-        ASSERT_EQ(listed(view, NoStructure{}, ray, {}).size() % 2 != 0, is_inside)
+        ASSERT_EQ(list_along(view, NoStructure{}, ray, {}).size() % 2 != 0, is_inside)
             << described(ray.origin, ray.direction);
       }
     }
@@ -255,7 +255,7 @@ TYPED_TEST(HitsInOrder, EnterAndLeaveSpheresAndCones) {
   scene.cones = {cone_of<Real>({0, -1, 5}, 1, {0, 1, 5}, 1),
                  cone_of<Real>({0, -1, 10}, -2, {0, 1, 10}, -0.5)};
   const auto hits = [&](Real from) {
-    return listed(scene.view(), NoStructure{}, unbounded_ray<Real>({0, 0, from}, {0, 0, 1}), {});
+    return list_along(scene.view(), NoStructure{}, unbounded_ray<Real>({0, 0, from}, {0, 0, 1}), {});
   };
   // Of the negative radii the inside alone is visible, and is the front.
   const List<Real> all = hits(-5), expected = {{4, 0, true}, {6, 0, false},  {7, 1, true},

@@ -117,8 +117,8 @@ bool meets(const Triangle<double>& triangle, const WideBox& box) {
 std::pair<Wide, Wide> distances(const oracle::Point& p, const WideBox& box) {
   const auto axis = [](Wide at, Wide low, Wide high) {
     const Wide gap = oracle::max(0, oracle::max(low - at, at - high));
-    const Wide far = oracle::max(oracle::magnitude(low - at), oracle::magnitude(high - at));
-    return std::pair{gap, far};
+    const Wide most = oracle::max(oracle::magnitude(low - at), oracle::magnitude(high - at));
+    return std::pair{gap, most};
   };
   const auto [x, fx] = axis(p.x, box.min.x, box.max.x);
   const auto [y, fy] = axis(p.y, box.min.y, box.max.y);
@@ -379,15 +379,15 @@ TEST_F(OverlapsOfAFlatCone, StayByItsRims) {
     const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {50, 50, 50}, 1e-5};
     const Vec3d up = chance_.direction() * 1e-6;
     const Cone<double> cone{{0, 0, 0}, 0.6, up, 0.3};
-    std::int64_t far = 0, listed = 0;
+    std::int64_t apart = 0, listed = 0;
     for_each_overlap(layout, Overlap::exact, cone, [&](const Vec3i& voxel) {
       const WideBox box = voxel_box(layout, voxel);
       const oracle::Point center = (box.min + box.max) * 0.5;
       ++listed;
-      far += oracle::distance(center, cone) > oracle::norm(box.max - box.min);
+      apart += oracle::distance(center, cone) > oracle::norm(box.max - box.min);
     });
     EXPECT_GT(listed, 500);
-    EXPECT_EQ(far, 0) << "of " << listed << ": " << masu::described(cone);
+    EXPECT_EQ(apart, 0) << "of " << listed << ": " << masu::described(cone);
   }
 }
 

@@ -64,7 +64,7 @@ std::string nff_of(const std::vector<Polygon>& polygons) {
   for (const Polygon& polygon : polygons) {
     text += fmt::format("p {}\n", polygon.size());
     for (const Vec3d& p : polygon)
-      text += digits(p) + "\n";
+      text += numbers_of(p) + "\n";
   }
   return text;
 }

@@ -22,16 +22,16 @@ using namespace texts;
 
 using MeshFiles = RandomTest;
 
-const std::string name = "t";
+const std::string own_name = "t";
 
 MeshFile parse(std::string_view text, MeshFormat format, const std::string& library = "") {
   const auto other_file = [&](const std::string& other) {
     return other == "m.mtl" ? std::optional(library) : std::nullopt;
   };
-  return parse_mesh_file({text, name, other_file}, format);
+  return parse_mesh_file({text, own_name, other_file}, format);
 }
 Scene scene(std::string_view text, MeshFormat format, const std::string& library = "") {
-  return viewed_scene_of(parse(text, format, library), name, {}).scene;
+  return viewed_scene_of(parse(text, format, library), own_name, {}).scene;
 }
 
 // Refused with that place: t, or t:line.
@@ -122,7 +122,7 @@ TEST_F(MeshFiles, AGridFarFromZeroKeepsItsShape) {
 // --- OBJ ---------------------------------------------------------------------------------------------------
 
 const PolygonMesh square{{{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}};
-const PolygonMesh corner{{{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}}, {{0, 1, 2}}};
+const PolygonMesh one_face{{{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}}, {{0, 1, 2}}};
 
 TEST_F(MeshFiles, ObjIsTheSameHoweverItIsWritten) {
   for (const std::string_view text :
@@ -165,7 +165,7 @@ TEST_F(MeshFiles, ObjectsAreGroupsOfOneMaterial) {
   EXPECT_EQ(names, (std::vector<std::string>{"defaultobject", "c d", "c d/y #1", "e"}));
   EXPECT_EQ(faces, (std::vector<std::uint64_t>{1, 2, 1, 0}));
   EXPECT_EQ(file.notes.points_and_lines, 5U);
-  EXPECT_EQ(viewed_scene_of(file, name, {}).object_names.size(), 3U); // those with faces
+  EXPECT_EQ(viewed_scene_of(file, own_name, {}).object_names.size(), 3U); // those with faces
 }
 
 TEST_F(MeshFiles, ObjMaterialsAreThoseOfItsFile) {
@@ -175,7 +175,7 @@ TEST_F(MeshFiles, ObjMaterialsAreThoseOfItsFile) {
   const std::string text = std::string(triangle_obj) +
                            "f 1 2 3\nmtllib m.mtl\nusemtl a b\nf 1 2 3\nusemtl glass\n"
                            "f 1 2 3\nusemtl m\nf 1 2 3\nusemtl tr\nf 1 2 3\n";
-  const ImportedScene imported = viewed_scene_of(parse(text, MeshFormat::obj, library), name, {});
+  const ImportedScene imported = viewed_scene_of(parse(text, MeshFormat::obj, library), own_name, {});
   const std::vector<Material>& materials = imported.scene.materials;
   ASSERT_EQ(materials.size(), 5U);
   EXPECT_EQ(materials[0], (Material{{0.6F, 0.6F, 0.6F}, 1, 0, 0, 0, 1}));
@@ -201,7 +201,7 @@ TEST_F(MeshFiles, ObjMaterialsAreThoseOfItsFile) {
                     glass = "mtllib x.mtl\n" + std::string(triangle_obj) + "usemtl glass\nf 1 2 3\n";
   const MeshFile found = parse_mesh_file({glass, path, beside}, MeshFormat::obj);
   EXPECT_EQ(found.notes.missing_libraries, 0U);
-  EXPECT_EQ(viewed_scene_of(found, name, {}).scene.materials.at(0).refraction_index, 1.5F);
+  EXPECT_EQ(viewed_scene_of(found, own_name, {}).scene.materials.at(0).refraction_index, 1.5F);
 }
 
 TEST_F(MeshFiles, VerticesWithoutAColorHaveTheMaterials) {
@@ -359,7 +359,7 @@ TEST_F(MeshFiles, PlyIsTheSameWhateverItsPropertiesAndElements) {
 }
 
 TEST_F(MeshFiles, WrongPlyFilesAreRefused) {
-  const std::string good = ply_of(corner); // its header has 8 lines
+  const std::string good = ply_of(one_face); // its header has 8 lines
   EXPECT_EQ(scene(good, MeshFormat::ply).triangles.size(), 1U);
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = good;
@@ -401,10 +401,10 @@ TEST_F(MeshFiles, WrongPlyFilesAreRefused) {
   EXPECT_TRUE(is(changed("2 2 0", "2 2"), "t:12", "ends"));
   EXPECT_TRUE(is(changed("2 2 0", "2 2 0 0"), "t:12", "more numbers"));
   EXPECT_TRUE(is(changed("2 2 0", "2 2 O"), "t:12", "'O'"));
-  std::string binary = binary_ply_of<double>(corner, false);
+  std::string binary = binary_ply_of<double>(one_face, false);
   binary[binary.size() - 4] = 3;
   EXPECT_TRUE(is(binary, "t", "vertex 3 of 3"));
-  EXPECT_EQ(parse(binary_ply_of<double>(corner, true) + "ab", MeshFormat::ply).notes.trailing_bytes, 2U);
+  EXPECT_EQ(parse(binary_ply_of<double>(one_face, true) + "ab", MeshFormat::ply).notes.trailing_bytes, 2U);
 }
 
 // --- OFF ---------------------------------------------------------------------------------------------------
@@ -421,7 +421,7 @@ TEST_F(MeshFiles, OffIsTheSameHoweverItIsWritten) {
         "4OFF\n3 1 0\n0 0 0 1\n4 0 1 2\n1 1 0 .5\n3 0 1 2\n",
         "STCN4OFF\n3 1 0\n0 0 0 1 0 0 1 1 0 0 1 0 0\n4 0 1 2 0 0 1 1 0 0 1 0 0\n2 2 0 1 0 0 1 1 0 0 1 0 0\n3 "
         "0 1 2\n"})
-    EXPECT_EQ(corners_of(parse(text, MeshFormat::off)), corners_of(corner)) << text;
+    EXPECT_EQ(corners_of(parse(text, MeshFormat::off)), corners_of(one_face)) << text;
   // Colours up to 1, and up to 255.
   for (const std::string_view text :
        {"COFF\n3 1 0\n0 0 0 1 0 0 1\n2 0 .5 1 0 0 1\n2 2 0 1 0 0 1\n3 0 1 2\n",
@@ -459,25 +459,25 @@ TEST_F(MeshFiles, WrongOffFilesAreRefused) {
 // --- STL ---------------------------------------------------------------------------------------------------
 
 TEST_F(MeshFiles, StlIsTheSameHoweverItIsWritten) {
-  std::string upper = stl_of(corner), one_line = stl_of(corner).substr(8);
+  std::string upper = stl_of(one_face), one_line = stl_of(one_face).substr(8);
   for (char& c : upper)
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
   std::ranges::replace(one_line, '\n', ' ');
   for (const std::string& text :
-       {stl_of(corner), upper, "\n  Solid\n" + one_line, "\xef\xbb\xbf" + stl_of(corner),
-        binary_stl_of(corner), binary_stl_of(corner, "solid of a program that writes binary files"),
-        binary_stl_of(corner, "Solid") + "\n", binary_stl_of(corner) + std::string(51, ' ')})
-    EXPECT_EQ(corners_of(parse(text, MeshFormat::stl)), corners_of(corner)) << text;
-  EXPECT_EQ(parse(binary_stl_of(corner) + std::string(51, ' '), MeshFormat::stl).notes.trailing_bytes, 51U);
-  const ImportedScene two =
-      viewed_scene_of(parse(stl_of(corner) + "solid empty\nendsolid\n" + upper, MeshFormat::stl), name, {});
+       {stl_of(one_face), upper, "\n  Solid\n" + one_line, "\xef\xbb\xbf" + stl_of(one_face),
+        binary_stl_of(one_face), binary_stl_of(one_face, "solid of a program that writes binary files"),
+        binary_stl_of(one_face, "Solid") + "\n", binary_stl_of(one_face) + std::string(51, ' ')})
+    EXPECT_EQ(corners_of(parse(text, MeshFormat::stl)), corners_of(one_face)) << text;
+  EXPECT_EQ(parse(binary_stl_of(one_face) + std::string(51, ' '), MeshFormat::stl).notes.trailing_bytes, 51U);
+  const ImportedScene two = viewed_scene_of(
+      parse(stl_of(one_face) + "solid empty\nendsolid\n" + upper, MeshFormat::stl), own_name, {});
   EXPECT_EQ(two.object_names, (std::vector<std::string>{"t", "T"}));
   EXPECT_EQ(two.scene.triangles.size(), 2U);
   EXPECT_EQ(two.scene.triangles[1].object, 1U);
 }
 
 TEST_F(MeshFiles, FacetsOfABinaryStlHaveColors) {
-  PolygonMesh mesh = corner;
+  PolygonMesh mesh = one_face;
   mesh.faces.push_back({0, 1, 2});
   for (const bool is_magics : {false, true}) {
     std::string bytes = binary_stl_of(mesh, is_magics ? std::string("COLOR=\xff\x33\x00\xff", 10) : "");
@@ -491,7 +491,7 @@ TEST_F(MeshFiles, FacetsOfABinaryStlHaveColors) {
 }
 
 TEST_F(MeshFiles, WrongStlFilesAreRefused) {
-  const std::string good = stl_of(corner);
+  const std::string good = stl_of(one_face);
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     return text.replace(text.find(from), from.size(), to);
@@ -509,7 +509,7 @@ TEST_F(MeshFiles, WrongStlFilesAreRefused) {
   EXPECT_TRUE(is(changed("endsolid", "color 1"), "t:9", "'color' where facet or endsolid"));
   EXPECT_TRUE(is(changed("endsolid t\n", ""), "t:8", "ends where facet or endsolid"));
   EXPECT_TRUE(is(good + "rest\n", "t:10", "'rest' where solid"));
-  std::string more = binary_stl_of(corner);
+  std::string more = binary_stl_of(one_face);
   more[80] = 2;
   EXPECT_TRUE(is(more, "t", "promises 2 facets, and 1 are there"));
 }
@@ -518,12 +518,13 @@ TEST_F(MeshFiles, WrongStlFilesAreRefused) {
 
 // However little is cut from a file that says how much it holds.
 TEST_F(MeshFiles, CutFilesAreRefused) {
-  for (const auto& [text, format] : {std::pair{off_of(corner), MeshFormat::off},
-                                     {ply_of(corner), MeshFormat::ply},
-                                     {binary_ply_of<float>(corner, false), MeshFormat::ply},
-                                     {binary_ply_of<double>(corner, true), MeshFormat::ply},
-                                     {stl_of(corner).substr(0, stl_of(corner).size() - 3), MeshFormat::stl},
-                                     {binary_stl_of(corner), MeshFormat::stl}}) {
+  for (const auto& [text, format] :
+       {std::pair{off_of(one_face), MeshFormat::off},
+        {ply_of(one_face), MeshFormat::ply},
+        {binary_ply_of<float>(one_face, false), MeshFormat::ply},
+        {binary_ply_of<double>(one_face, true), MeshFormat::ply},
+        {stl_of(one_face).substr(0, stl_of(one_face).size() - 3), MeshFormat::stl},
+        {binary_stl_of(one_face), MeshFormat::stl}}) {
     EXPECT_EQ(scene(text, format).triangles.size(), 1U);
     const std::size_t last = text.find_last_not_of('\n'); // of text
     for (std::size_t size = 0; size < (text.back() == '\n' ? last : text.size()); ++size) {
@@ -564,11 +565,11 @@ TEST_F(MeshFiles, TheFormatIsThatOfTheNameOrOfTheBeginning) {
   EXPECT_EQ(format_of_name("Ply"), MeshFormat::ply);
   EXPECT_EQ(format_of_name("gltf"), std::nullopt);
   EXPECT_EQ(format_of_name(""), std::nullopt);
-  EXPECT_EQ(format_of_content(ply_of(corner)), MeshFormat::ply);
-  EXPECT_EQ(format_of_content("# a\r\n#\n" + obj_of(corner)), MeshFormat::obj);
-  EXPECT_EQ(format_of_content("\n# a\n" + off_of(corner)), MeshFormat::off);
+  EXPECT_EQ(format_of_content(ply_of(one_face)), MeshFormat::ply);
+  EXPECT_EQ(format_of_content("# a\r\n#\n" + obj_of(one_face)), MeshFormat::obj);
+  EXPECT_EQ(format_of_content("\n# a\n" + off_of(one_face)), MeshFormat::off);
   EXPECT_EQ(format_of_content("NOFF\n"), MeshFormat::off);
-  EXPECT_EQ(format_of_content(stl_of(corner)), MeshFormat::stl);
+  EXPECT_EQ(format_of_content(stl_of(one_face)), MeshFormat::stl);
   for (const std::string_view text : {"", "#", "# a\n", "{\"asset\"", "vertex", "<xml>"})
     EXPECT_EQ(format_of_content(text), std::nullopt) << text;
 }

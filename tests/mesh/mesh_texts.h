@@ -33,13 +33,13 @@ void append_point(std::string& bytes, const Vec3d& p, bool is_big = false) {
     append(bytes, static_cast<Real>(x), is_big);
 }
 
-inline std::string digits(const Vec3d& v) {
+inline std::string numbers_of(const Vec3d& v) {
   return fmt::format("{:.17g} {:.17g} {:.17g}", v.x, v.y, v.z);
 }
 inline std::string obj_of(const PolygonMesh& mesh) {
   std::string text;
   for (const Vec3d& v : mesh.vertices)
-    text += "v " + digits(v) + "\n";
+    text += "v " + numbers_of(v) + "\n";
   for (const auto& face : mesh.faces) {
     text += "f";
     for (const std::uint32_t corner : face)
@@ -51,7 +51,7 @@ inline std::string obj_of(const PolygonMesh& mesh) {
 inline std::string body_of(const PolygonMesh& mesh) {
   std::string text;
   for (const Vec3d& v : mesh.vertices)
-    text += digits(v) + "\n";
+    text += numbers_of(v) + "\n";
   for (const auto& face : mesh.faces) {
     text += std::to_string(face.size());
     for (const std::uint32_t corner : face)
@@ -90,7 +90,7 @@ inline std::string stl_of(const PolygonMesh& mesh) {
   for (const auto& face : mesh.faces) {
     text += "facet normal 0 0 1\n outer loop\n";
     for (const std::uint32_t corner : face)
-      text += "  vertex " + digits(mesh.vertices[corner]) + "\n";
+      text += "  vertex " + numbers_of(mesh.vertices[corner]) + "\n";
     text += " endloop\nendfacet\n";
   }
   return text + "endsolid t\n";

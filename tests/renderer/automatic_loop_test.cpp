@@ -17,7 +17,7 @@ namespace {
 
 using AutomaticLoop = RandomTest;
 
-Scene random_scene(Chance& chance) {
+Scene any_scene(Chance& chance) {
   Scene scene = empty_scene({0, -4, 1}, {0, 0, 0});
   for (int i = 0; i < 60; ++i) {
     const Vec3d at = chance.in_cube(1);
@@ -38,7 +38,7 @@ TEST_F(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
   for (const StructureKind kind :
        {StructureKind::uniform, StructureKind::irregular, StructureKind::hierarchy}) {
     StructureOptions options{kind};
-    const Rendering rendering(random_scene(chance_), Store::float32, "6x5x7", options);
+    const Rendering rendering(any_scene(chance_), Store::float32, "6x5x7", options);
     for (const Query query : {Query::nearest_hit, Query::occlusion}) {
       // The last warp isn't full.
       const std::size_t warps = 1 + static_cast<std::size_t>(chance_.uniform(0, 63));

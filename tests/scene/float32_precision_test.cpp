@@ -16,14 +16,14 @@ namespace {
 using Float32Precisions = RandomTest;
 
 // Within ±1, so that twice the margin is 1.53e-5.
-constexpr double size = 2.0 * margin_roundings / (1 << 24);
+constexpr double speck_size = 2.0 * margin_roundings / (1 << 24);
 
 Scene wall_of_size_1() {
   Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
   add_triangle(scene, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, matte({1, 1, 1}));
   return scene;
 }
-void add_speck(Scene& scene, const Vec3d& at, double across = 0.5 * size) {
+void add_speck(Scene& scene, const Vec3d& at, double across = 0.5 * speck_size) {
   add_triangle(scene, at, at + Vec3d{across, 0, 0}, at + Vec3d{0, across / 2, across / 2}, matte({1, 1, 1}));
 }
 std::uint64_t parts_of(const Scene& scene) {
@@ -33,18 +33,18 @@ std::uint64_t parts_of(const Scene& scene) {
 TEST_F(Float32Precisions, SpecksThatStandAloneAreCounted) {
   Scene scene = wall_of_size_1();
   EXPECT_TRUE(float32_precision(scene).suffices());
-  EXPECT_DOUBLE_EQ(2 * float32_precision(scene).margin, size);
+  EXPECT_DOUBLE_EQ(2 * float32_precision(scene).margin, speck_size);
   add_speck(scene, {0.25, 0.25, 0.25});
   EXPECT_EQ(parts_of(scene), 1U);
   EXPECT_FALSE(float32_precision(scene).suffices());
-  add_speck(scene, {-0.25, 0.25, 0.25}, size);       // no larger
-  add_speck(scene, {-0.5, 0.25, 0.25}, 1.01 * size); // larger
-  add_sphere(scene, {0, 0, 0.5}, 0.4 * size, matte({1, 1, 1}));
-  add_sphere(scene, {0, 0, 0.5}, 0.6 * size, matte({1, 1, 1}));
-  add_cone(scene, {{0, 0.5, 0.5}, size / 4, {0, 0.5, 0.5 + size / 2}, 0}, matte({1, 1, 1}));
+  add_speck(scene, {-0.25, 0.25, 0.25}, speck_size);       // no larger
+  add_speck(scene, {-0.5, 0.25, 0.25}, 1.01 * speck_size); // larger
+  add_sphere(scene, {0, 0, 0.5}, 0.4 * speck_size, matte({1, 1, 1}));
+  add_sphere(scene, {0, 0, 0.5}, 0.6 * speck_size, matte({1, 1, 1}));
+  add_cone(scene, {{0, 0.5, 0.5}, speck_size / 4, {0, 0.5, 0.5 + speck_size / 2}, 0}, matte({1, 1, 1}));
   EXPECT_EQ(parts_of(scene), 4U);
   // Of no area and of no size.
-  add_triangle(scene, {0.5, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 0, 0.5 + size / 4}, matte({1, 1, 1}));
+  add_triangle(scene, {0.5, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 0, 0.5 + speck_size / 4}, matte({1, 1, 1}));
   add_triangle(scene, {0.5, 0, 0.75}, {0.5, 0, 0.75}, {0.5, 0, 0.75}, matte({1, 1, 1}));
   EXPECT_EQ(parts_of(scene), 6U);
 }
@@ -52,7 +52,7 @@ TEST_F(Float32Precisions, SpecksThatStandAloneAreCounted) {
 TEST_F(Float32Precisions, SpecksAtACornerOfALargerTriangleBelongToIt) {
   Scene scene = wall_of_size_1();
   add_speck(scene, {0, 1, 0});
-  add_speck(scene, {0.5 * size, 1, 0}); // at a corner of the last one alone
+  add_speck(scene, {0.5 * speck_size, 1, 0}); // at a corner of the last one alone
   EXPECT_EQ(parts_of(scene), 0U);
   add_speck(scene, {0, 0.5, 0}); // inside the large one, at none of its corners
   EXPECT_EQ(parts_of(scene), 1U);
@@ -72,7 +72,7 @@ TEST_F(Float32Precisions, CornersAreSharedThatRoundToTheSame) {
 
 TEST_F(Float32Precisions, AFineMeshIsOnePart) {
   Scene scene = wall_of_size_1();
-  const double step = 0.25 * size;
+  const double step = 0.25 * speck_size;
   const auto add_strip = [&](double y, int length) {
     for (int i = 0; i < length; ++i)
       add_triangle(scene, {i * step, y, 0.5}, {(i + 1) * step, y, 0.5}, {i * step, y + step, 0.5},
@@ -185,7 +185,7 @@ TEST_F(Float32Precisions, PartsOfRandomTrianglesAreThoseOfTheDefinition) {
   for (int i = 0; i < 300; ++i) {
     Scene scene = wall_of_size_1();
     // Corners on a few points of a fine lattice, some of them off by less than rounding.
-    const double lattice = 0.3 * size, spread = chance_.uniform(1, 40);
+    const double lattice = 0.3 * speck_size, spread = chance_.uniform(1, 40);
     const auto corner = [&] {
       const auto on_lattice = [&] { return std::floor(chance_.uniform(0, spread)) * lattice; };
       const Vec3d at{0.5 + on_lattice(), 0.5 + on_lattice(), 0.5};

@@ -30,7 +30,7 @@ Vec3d rounded(const Vec3d& v) {
 }
 
 // A floor, triangles, spheres, cones and lights around zero; seen from nearby.
-Scene random_scene(Chance& chance) {
+Scene movable_scene(Chance& chance) {
   Scene scene = empty_scene(rounded(chance.in_cube(10) + Vec3d{0, 0, 14}), rounded(chance.in_cube(2)));
   scene.camera.width = scene.camera.height = 24;
   const auto place = [&] { return rounded(chance.in_cube(chance.one_of({4.0, 8.0}))); };
@@ -110,7 +110,7 @@ void expect_same_results(const Rendering& a, const Rendering& b, const Vec3d& fr
 
 TEST_F(LocalOrigin, AMovedSceneIsTheSameBitsAboutItsOwnOrigin) {
   for (int i = 0; i < cases(30); ++i) {
-    const Scene scene = random_scene(chance_);
+    const Scene scene = movable_scene(chance_);
     const Store store = chance_.one_of({Store::automatic, Store::float32, Store::float64});
     // Both far enough to have an origin.
     const Vec3d by = far_away(chance_, 100), other = far_away(chance_, 100);
@@ -126,7 +126,7 @@ TEST_F(LocalOrigin, AMovedSceneIsTheSameBitsAboutItsOwnOrigin) {
 
 TEST_F(LocalOrigin, AMovedSceneIsTheSameBitsAsAtZeroWhereItIsCentredThere) {
   for (int i = 0; i < cases(15); ++i) {
-    Scene scene = random_scene(chance_);
+    Scene scene = movable_scene(chance_);
     for (const Vec3d& corner : {Vec3d{-16, -16, -16}, Vec3d{16, 16, 16}})
       add_triangle(scene, corner, corner * 0.5, {0, 0, corner.z}, matte({1, 1, 1}));
     const Vec3d by = far_away(chance_, 100);
@@ -139,7 +139,7 @@ TEST_F(LocalOrigin, AMovedSceneIsTheSameBitsAsAtZeroWhereItIsCentredThere) {
 
 TEST_F(LocalOrigin, AGivenOneMakesAnySceneTheSameBitsAsAtZero) {
   for (int i = 0; i < cases(30); ++i) {
-    const Scene scene = random_scene(chance_);
+    const Scene scene = movable_scene(chance_);
     const Vec3d by = far_away(chance_, 1);
     const Rendering a(scene, Store::automatic, "auto", {}, Vec3d{0, 0, 0}),
         b(moved(scene, by), Store::automatic, "auto", {}, by);

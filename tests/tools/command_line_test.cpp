@@ -243,7 +243,8 @@ protected:
       all.push_back({"mesh2bin", {file("a.obj"), "-o", file("b.scene")}, file("b.scene")});
     if (has_tool("gridview"))
       all.push_back({"gridview",
-                     {scene_, grid_, "--export", file("out.html"), "--views", "1", "--size", "8x8"},
+                     {scene_, grid_, "--export", file("out.html"), "--views", "1", "--size", "8x8",
+                      "--slices", "y,0.5"},
                      file("out.html"),
                      false}); // it shows seconds
     return all;

@@ -15,7 +15,7 @@
 namespace masu {
 namespace {
 
-struct Hit {
+struct NamedHit {
   float t;
   std::int32_t name;
 };
@@ -63,7 +63,7 @@ TEST_F(Inspection, ChannelsAreTheHitsAndSumUpToTheStatistics) {
     const auto stats = json_in("stats");
     EXPECT_EQ(sum(pfm("p.cells.pfm", width, height)), stats["cells_visited"].get<double>());
     EXPECT_EQ(sum(pfm("p.tests.pfm", width, height)), tests_of(stats));
-    const auto records = read_records<Hit>(file("hits"));
+    const auto records = read_records<NamedHit>(file("hits"));
     const auto depth = pfm("p.depth.pfm", width, height), object = pfm("p.object.pfm", width, height);
     ASSERT_EQ(records.size(), depth.size());
     for (std::size_t i = 0; i < records.size(); ++i) {

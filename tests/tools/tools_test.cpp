@@ -15,12 +15,12 @@
 namespace masu {
 namespace {
 
-struct Hit {
+struct WrittenHit {
   float t;
   std::int32_t object;
 };
-std::vector<Hit> hits_in(const std::string& path) {
-  return read_records<Hit>(path);
+std::vector<WrittenHit> hits_in(const std::string& path) {
+  return read_records<WrittenHit>(path);
 }
 
 // Six numbers each, within 2 of the origin.
@@ -111,12 +111,12 @@ TEST_F(Tools, ListedRaysHitWhatCameraRaysHit) {
   trace({file("rays.f64"), "-o", file("listed")});
   expect_run("gridtrace", {scene_, "--brute-force", file("rays.f64"), "-o", file("brute-force")});
   EXPECT_TRUE(read_bytes(file("listed")) == read_bytes(file("brute-force")));
-  const std::vector<Hit> camera = hits_in(file("camera")), listed = hits_in(file("listed"));
+  const std::vector<WrittenHit> camera = hits_in(file("camera")), listed = hits_in(file("listed"));
   ASSERT_EQ(camera.size(), 17U * 13);
   ASSERT_EQ(listed.size(), 25U);
   std::set<std::int32_t> objects;
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    const Hit& expected = camera[17 * 3 * (i / 5) + 4 * (i % 5)];
+    const WrittenHit& expected = camera[17 * 3 * (i / 5) + 4 * (i % 5)];
     EXPECT_EQ(listed[i].object, expected.object) << "ray " << i;
     objects.insert(expected.object);
     if (std::isfinite(expected.t))
@@ -138,7 +138,7 @@ TEST_F(Tools, FirstCellHitMissesCloserHitsOfLaterCells) {
                joined({before, grid("b.grid", before, division), "--backend", "cpu", "--hits", file("hits")},
                       options));
     std::vector<std::int32_t> found;
-    for (const Hit& hit : hits_in(file("hits")))
+    for (const WrittenHit& hit : hits_in(file("hits")))
       found.push_back(hit.object);
     return found;
   };
@@ -163,7 +163,7 @@ TEST_F(Tools, ListedRaysMayBeFloat64) {
   write_records(file("rays"), rays);
   EXPECT_TRUE(succeeded(
       run("gridtrace", {far, far_grid, file("rays"), "--ray-store", "float64", "-o", file("hits")})));
-  const std::vector<Hit> hits = hits_in(file("hits"));
+  const std::vector<WrittenHit> hits = hits_in(file("hits"));
   ASSERT_EQ(hits.size(), 6U);
   const std::array<bool, 6> hit{true, false, true, false, true, false};
   for (std::size_t i = 0; i < hit.size(); ++i)
@@ -183,7 +183,7 @@ TEST_F(Tools, ListedRaysMayHaveAnyOriginAndLength) {
   };
   write_records(file("rays"), rays);
   trace({file("rays"), "-o", file("hits")});
-  const std::vector<Hit> hits = hits_in(file("hits"));
+  const std::vector<WrittenHit> hits = hits_in(file("hits"));
   ASSERT_EQ(hits.size(), 7U);
   const std::array<std::int32_t, 7> objects{1, 1, 1, 1, -1, 0, -1};
   const std::array<float, 7> distances{4, 4e15F, 4e-15F, 0.5F, 0, 1e9F, 0};
@@ -207,7 +207,7 @@ TEST_F(Tools, RaysThatArentValidHitNothingAndAreCounted) {
   const ToolResult result = run("gridtrace", on_cpu({file("rays"), "-o", file("hits")}));
   EXPECT_EQ(result.code, 0);
   EXPECT_NE(result.err.find("2 of 3 rays aren't valid"), std::string::npos) << result.err;
-  const std::vector<Hit> hits = hits_in(file("hits"));
+  const std::vector<WrittenHit> hits = hits_in(file("hits"));
   ASSERT_EQ(hits.size(), 3U);
   for (std::size_t i = 0; i < hits.size(); ++i)
     EXPECT_EQ(hits[i].object, i == 0 ? 1 : -1) << "ray " << i;
@@ -227,7 +227,7 @@ TEST_F(Tools, HitsLieBetweenTminAndTmax) {
   write_records(file("rays"), rays);
   trace({file("rays"), "--ray-numbers", "8", "-o", file("hits")});
   trace({file("rays"), "--ray-numbers", "8", "--any-hit", "-o", file("occluded")});
-  const std::vector<Hit> hits = hits_in(file("hits"));
+  const std::vector<WrittenHit> hits = hits_in(file("hits"));
   const auto occluded = read_bytes(file("occluded"));
   ASSERT_EQ(hits.size(), std::size(cases));
   ASSERT_EQ(occluded.size(), std::size(cases));
@@ -422,10 +422,10 @@ TEST_F(Tools, HitsOfPicturesAreWrittenAsTheEndOfTheirNameSaysToo) {
     EXPECT_NE(head.find("'shape': (1735534 "), std::string::npos) << head;
     hits("a.csv");
     const auto rows = rows_of_csv(file("a.csv"), "t," + kind);
-    const std::vector<Hit> records = hits_in(file("raw"));
+    const std::vector<WrittenHit> records = hits_in(file("raw"));
     ASSERT_EQ(rows.size(), records.size());
     // The floor is two triangles, before the sphere.
-    EXPECT_EQ(std::ranges::max(records, {}, &Hit::object).object, kind == "object" ? 1 : 2);
+    EXPECT_EQ(std::ranges::max(records, {}, &WrittenHit::object).object, kind == "object" ? 1 : 2);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       ASSERT_EQ(rows[i][0], records[i].t);
       ASSERT_EQ(rows[i][1], static_cast<float>(records[i].object));
@@ -468,10 +468,10 @@ TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
 TEST_F(Tools, StatsAddUp) {
   const auto stats = stats_of({});
   render({"--hits", file("hits")});
-  const std::vector<Hit> hits = hits_in(file("hits"));
+  const std::vector<WrittenHit> hits = hits_in(file("hits"));
   EXPECT_EQ(stats["eye_rays"], hits.size());
   EXPECT_EQ(stats["eye_hits"],
-            hits.size() - static_cast<std::size_t>(std::ranges::count(hits, -1, &Hit::object)));
+            hits.size() - static_cast<std::size_t>(std::ranges::count(hits, -1, &WrittenHit::object)));
   EXPECT_LE(stats["shadow_hits"], stats["shadow_rays"]);
   EXPECT_LE(stats["secondary_hits"],
             stats["reflection_rays"].get<int>() + stats["refraction_rays"].get<int>());

@@ -11,7 +11,7 @@ void PrintTo(const Table& table, std::ostream* out) {
   *out << table.name;
 }
 
-constexpr Table all_tools{"AllTools", R"(
+constexpr Table every_tool{"AllTools", R"(
 [nffgen|nff2bin|gridbuild|gridrender|gridtrace]
 [nffgen|nff2bin|gridbuild|gridrender|gridtrace] --no-such-option         > @
 [nffgen|nff2bin|gridbuild|gridrender|gridtrace] a b c d
@@ -175,7 +175,7 @@ TEST_P(UsageErrors, AreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, UsageErrors,
-                         testing::Values(all_tools, makers, gridrender, gridtrace, gridstat, gridbench),
+                         testing::Values(every_tool, makers, gridrender, gridtrace, gridstat, gridbench),
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
