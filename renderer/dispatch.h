@@ -15,12 +15,6 @@
 
 namespace masu {
 
-// A set of kinds as a type.
-template <unsigned kinds_>
-struct Kinds {
-  static constexpr unsigned kinds = kinds_;
-};
-
 // The kinds of primitives that a scene holds.
 template <class Stored>
 unsigned kinds_in(const SceneView<Stored>& scene, bool has_tapers) {
@@ -31,18 +25,6 @@ unsigned kinds_in(const SceneView<Stored>& scene, bool has_tapers) {
 template <class Stored>
 unsigned kinds_in(const SceneView<Stored>& scene) {
   return kinds_in(scene, std::ranges::any_of(std::span(scene.cones, scene.cone_count), tapers<Stored>));
-}
-
-// Calls act(Kinds) with the narrowest set compiled that holds the scene's. What it saves on an H200 over the
-// code for all kinds, in a picture's time: triangles alone 9 % (teapot; `double` 8), triangles and spheres 6
-// to 12 % (balls, mount; `double` 11 to 16), cones that are all cylinders 5 % (rings, `robust`).
-template <class TestRay, class Act>
-void with_kinds(unsigned kinds, const Act& act) {
-  if ((kinds & ~with_triangles) == 0) return act(Kinds<with_triangles>{});
-  if ((kinds & with_cones) == 0) return act(Kinds<with_triangles | with_spheres>{});
-  if constexpr (std::is_same_v<TestRay, WatertightRay<float>>)
-    if ((kinds & with_tapers) == 0) return act(Kinds<with_all_kinds & ~with_tapers>{});
-  act(Kinds<with_all_kinds>{});
 }
 
 template <class View>
@@ -74,30 +56,40 @@ inline bool is_counted(const TracedRecords& records, const TracingRules& rules) 
   return rules.count || !records;
 }
 
-// Calls act(view of the records, Method, Counts or NoCounts) for rays of one arithmetic through a scene of
+// Returns act(view of the records, Method, Counts or NoCounts) for rays of one arithmetic through a scene of
 // that store. What is for use has the code for its structure (GridView, MergedGridView or HierarchyView) and
-// kinds; what is for comparison, counting, brute force and StopRule::first_cell, shares that for AnyStructure
-// and all kinds.
+// for the narrowest set of kinds compiled that holds the scene's; what is for comparison, counting, brute
+// force and StopRule::first_cell, shares that for AnyStructure and all kinds.
+//
+// What the set saves on an H200 over the code for all kinds, in a picture's time: triangles alone 9 %
+// (teapot; `double` 8), triangles and spheres 6 to 12 % (balls, mount; `double` 11 to 16), cones that are all
+// cylinders 5 % (rings, `robust`).
 template <class TestRay, class Stored, class Act>
-void with_method(const TracedRecords& records, const TracingRules& rules, const Act& act) {
+auto with_method(const TracedRecords& records, const TracingRules& rules, const Act& act) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
   const auto with_any = [&] {
     AnyStructure<Real> any = any_structure<Real>(records);
     any.stop = rules.stop;
-    is_counted(records, rules) ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
+    return is_counted(records, rules) ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
+  };
+  const auto with_view = [&]<class View>(const View& view) {
+    if constexpr (is_specialised<TestRay, Stored, View>) {
+      const unsigned kinds = rules.general ? with_all_kinds : rules.kinds;
+      if ((kinds & ~with_triangles) == 0) return act(view, Method<TestRay, with_triangles>{}, NoCounts{});
+      if ((kinds & with_cones) == 0)
+        return act(view, Method<TestRay, with_triangles | with_spheres>{}, NoCounts{});
+      if constexpr (std::is_same_v<TestRay, WatertightRay<float>>)
+        if ((kinds & with_tapers) == 0)
+          return act(view, Method<TestRay, with_all_kinds & ~with_tapers>{}, NoCounts{});
+      return act(view, General{}, NoCounts{});
+    } else {
+      return with_any();
+    }
   };
   if (is_counted(records, rules) || rules.stop == StopRule::first_cell) return with_any();
-  with_structure_view<Real>(*records, [&]<class View>(const View& view) {
-    if constexpr (is_specialised<TestRay, Stored, View>) {
-      if (rules.general) return act(view, General{}, NoCounts{});
-      with_kinds<TestRay>(rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) {
-        act(view, Method<TestRay, kinds>{}, NoCounts{});
-      });
-    } else {
-      with_any();
-    }
-  });
+  if (records->is_hierarchy) return with_view(hierarchy_view_of<Real>(*records));
+  return records->is_merged ? with_view(merged_view_of<Real>(*records)) : with_view(view_of<Real>(*records));
 }
 
 // A query as a type.

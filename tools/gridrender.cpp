@@ -2,7 +2,7 @@
 #include "libscene/file/output_file.h"
 #include "renderer/image/image.h"
 #include "renderer/image/jpeg_file.h"
-#include "tools/common/progress.h"
+#include "tools/common/cli.h"
 #include "tools/common/version.h"
 #include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
@@ -162,15 +162,8 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
 
 // --- The tool's run ---------------------------------------------------------------------------------------
 
-TracingReport render_pictures(const ResidentTracer& tracer, const ViewsRequest& request, Ranks& ranks,
-                              bool quiet) {
-  Progress progress("rendering", quiet);
-  return render_views(tracer, request, ranks, progress.callback());
-}
-
 TracingReport render_channels(const ResidentTracer& tracer, const Settings& settings,
                               const ViewsRequest& views) {
-  Progress progress("tracing channels", settings.tracing.quiet);
   return write_channels(tracer,
                         {{parse_channels(settings.channels), views.frame, settings.all_rays},
                          views.views,
@@ -178,7 +171,7 @@ TracingReport render_channels(const ResidentTracer& tracer, const Settings& sett
                          settings.channel_format,
                          settings.channel_high,
                          picture_texts(settings, tracer.scene())},
-                        progress.callback());
+                        settings.tracing.quiet);
 }
 
 // Options that would have no effect are errors.
@@ -206,7 +199,7 @@ void render(const Settings& settings, Ranks& ranks) {
   const OpenedScene opened("gridrender", settings.tracing, gpus_of(settings.tracing.devices, ranks));
   const ViewsRequest views = views_request(settings, opened, ranks);
   TracingReport report;
-  if (wants_picture(settings)) report = render_pictures(opened.tracer(), views, ranks, quiet);
+  if (wants_picture(settings)) report = render_views(opened.tracer(), views, ranks, quiet);
   if (ranks.rank() > 0) return;
   if (!settings.channels.empty()) {
     const TracingReport channels = render_channels(opened.tracer(), settings, views);
@@ -281,13 +274,16 @@ void add_options(const CommandLine& command, Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_ranks_tool("gridrender", "Renders pictures of a scene through its grid.", argc, argv,
-                        [](const CommandLine& command, const auto& parse) {
-                          Settings settings;
-                          add_options(command, settings);
-                          Ranks& ranks = parse();
-                          const auto limit = limit_threads(settings.tracing, ranks);
-                          refuse_useless(command, settings);
-                          render(settings, ranks);
-                        });
+  Ranks ranks;
+  return ranks.ended(run_tool("gridrender", "Renders pictures of a scene through its grid.", argc, argv,
+                              [&](const CommandLine& command, const auto& parse) {
+                                Settings settings;
+                                add_options(command, settings);
+                                parse();
+                                ranks.start();
+                                const auto limit = limit_threads(settings.tracing, ranks);
+                                refuse_useless(command, settings);
+                                render(settings, ranks);
+                              },
+                              {Ranks::prints_help, [&] { return ranks.is_first_to_fail(); }}));
 }

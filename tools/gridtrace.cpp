@@ -2,9 +2,9 @@
 // ray.
 #include "libscene/file/output_file.h"
 #include "renderer/rays/walk_report.h"
+#include "tools/common/cli.h"
 #include "tools/common/json.h"
 #include "tools/common/number_list.h"
-#include "tools/common/progress.h"
 #include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/lists/ray_list.h"
@@ -22,15 +22,10 @@ constexpr std::size_t most_walk_rays = 32768;
 
 struct Settings {
   TracingOptions tracing;
-  // A list.
-  std::string rays, hits, write;
-  int ray_numbers = 6;
+  RayListJob list{.format = {6}, .request = {.limit = 0}}; // limit of --all-hits; 0: the nearest alone
+  std::string write, objects;
   Store ray_store = Store::automatic;
-  bool relative = false; // rays, to the scene's origin
   bool any_hit = false, count_hits = false;
-  std::uint32_t all_hits = 0; // per ray; 0: the nearest alone
-  Faces faces = Faces::both;
-  std::string excluded, objects;
   HitName hit_name = HitName::object;
   // One ray's way.
   std::string ray, pixel;
@@ -40,28 +35,22 @@ struct Settings {
 
   bool is_walk() const { return !ray.empty() || !pixel.empty(); }
   Query query() const {
-    return any_hit        ? Query::occlusion
-           : count_hits   ? Query::count_hits
-           : all_hits > 0 ? Query::all_hits
-                          : Query::nearest_hit;
+    return any_hit                  ? Query::occlusion
+           : count_hits             ? Query::count_hits
+           : list.request.limit > 0 ? Query::all_hits
+                                    : Query::nearest_hit;
   }
   // As needs_hits_in_order() (renderer/tracer.h) has it.
   bool hits_in_order() const {
-    return count_hits || all_hits > 0 || faces != Faces::both || !excluded.empty() || !objects.empty() ||
-           write.find("t64") != std::string::npos || write.find("front") != std::string::npos;
+    return count_hits || list.request.limit > 0 || list.request.faces != Faces::both ||
+           !list.excluded.empty() || !objects.empty() || write.find("t64") != std::string::npos ||
+           write.find("front") != std::string::npos;
   }
 };
 
-// Of the file of rays, where that is numbers alone.
-RayFormat ray_format(const Settings& settings) {
-  const bool is_float64 = settings.ray_store == Store::automatic ? settings.rays.ends_with(".f64")
-                                                                 : settings.ray_store == Store::float64;
-  return {settings.ray_numbers, is_float64, settings.relative};
-}
-
 // Whether a file of text has a line for each hit.
 bool lists_hits(const Settings& settings) {
-  return settings.all_hits > 0 && settings.hits.ends_with(".csv");
+  return settings.list.request.limit > 0 && settings.list.hits.ends_with(".csv");
 }
 
 std::string written_fields(const Settings& settings) {
@@ -106,23 +95,24 @@ void check(const Settings& settings, const Ranks& ranks) {
   const TracingOptions& tracing = settings.tracing;
   tracing.check("gridtrace");
   if (settings.is_walk()) {
-    if (!settings.rays.empty()) fail("RAYS", "is a list: leave it out, or leave out --ray and --pixel");
+    if (!settings.list.rays.empty()) fail("RAYS", "is a list: leave it out, or leave out --ray and --pixel");
     check_files({tracing.scene, tracing.grid}, {settings.json});
     return;
   }
-  if (settings.rays.empty()) fail("RAYS", "is missing: name a list of rays, or give --ray or --pixel");
-  if (settings.hits.empty() && tracing.report().empty()) fail("-o", "is missing: nothing would be written");
+  if (settings.list.rays.empty()) fail("RAYS", "is missing: name a list of rays, or give --ray or --pixel");
+  if (settings.list.hits.empty() && tracing.report().empty())
+    fail("-o", "is missing: nothing would be written");
   check_fields(settings);
   if (settings.hits_in_order() && !tracing.stats.empty())
     fail("--stats", "is for nearest hits and --any-hit alone, of both faces: take --times");
-  if (tracing.resume && settings.hits.empty()) fail("--resume", "needs -o: nothing else is kept");
-  check_hits_name("-o", settings.hits);
+  if (tracing.resume && settings.list.hits.empty()) fail("--resume", "needs -o: nothing else is kept");
+  check_hits_name("-o", settings.list.hits);
   if (ranks.count() > 1 || tracing.resume) {
-    if (settings.rays == "-") fail("RAYS", "must name a file, for ranks and --resume");
-    if (!settings.hits.empty()) check_is_file(settings.hits);
+    if (settings.list.rays == "-") fail("RAYS", "must name a file, for ranks and --resume");
+    if (!settings.list.hits.empty()) check_is_file(settings.list.hits);
   }
-  check_files({tracing.scene, tracing.grid, settings.rays, settings.excluded},
-              {settings.hits, tracing.stats, tracing.times});
+  check_files({tracing.scene, tracing.grid, settings.list.rays, settings.list.excluded},
+              {settings.list.hits, tracing.stats, tracing.times});
 }
 
 // --- A list -----------------------------------------------------------------------------------------------
@@ -146,31 +136,25 @@ std::vector<std::uint32_t> object_masks(const std::string& list, std::uint64_t o
   return masks;
 }
 
-void trace_list(const Settings& settings, Ranks& ranks) {
-  const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
-  const OpenedScene opened("gridtrace", settings.tracing, gpus_of(settings.tracing.devices, ranks));
-  RayListJob job{settings.rays, settings.hits, ray_format(settings)};
+RayListJob ray_list_job(const Settings& settings, const OpenedScene& opened) {
+  RayListJob job = settings.list;
+  job.format.is_float64 = settings.ray_store == Store::automatic ? job.rays.ends_with(".f64")
+                                                                 : settings.ray_store == Store::float64;
   job.fields = hit_fields(written_fields(settings));
   job.request.tracing = settings.tracing.tracing();
   job.request.query = settings.query();
-  job.request.faces = settings.faces;
-  job.request.limit = settings.all_hits;
-  job.excluded = settings.excluded;
   if (!settings.objects.empty())
     job.object_masks = object_masks(settings.objects, opened.scene().counts().objects);
   job.repeat = settings.tracing.repeat;
   job.resume = resume_of(settings.tracing, opened);
-  const TracingReport report = [&] {
-    Progress progress("tracing", quiet);
-    return trace_ray_list(opened.tracer(), job, ranks, progress.callback());
-  }();
-  if (ranks.rank() > 0) return;
-  const TaskTotals& totals = report.totals;
+  return job;
+}
+
+void note_invalid(const Settings& settings, const TaskTotals& totals) {
   if (totals.invalid > 0)
     print_note("gridtrace: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
                "a direction below 1e-15\n",
-               printable(settings.rays), totals.invalid, totals.rays);
-  write_reports("gridtrace", settings.tracing, opened, ranks, report, quiet);
+               printable(settings.list.rays), totals.invalid, totals.rays);
 }
 
 // --- Walk of one ray --------------------------------------------------------------------------------------
@@ -218,7 +202,7 @@ void add_list_options(const CommandLine& command, Settings& settings) {
   command.group(hits_group);
   command
       .add_option(
-          "-o,--output", settings.hits,
+          "-o,--output", settings.list.hits,
           "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
           "or what --write says; .npy: a NumPy array; .csv: text, with --all-hits a line for each hit; "
           "- is standard output")
@@ -235,7 +219,7 @@ void add_list_options(const CommandLine& command, Settings& settings) {
       command.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
   const Option all =
       command
-          .add_option("--all-hits", settings.all_hits,
+          .add_option("--all-hits", settings.list.request.limit,
                       "write up to K hits of each ray in their order, a closed mesh's crossings "
                       "at edges and corners once")
           .type_name("K")
@@ -247,7 +231,7 @@ void add_list_options(const CommandLine& command, Settings& settings) {
                 "backs are met otherwise than of closed meshes)")
       .excludes(any)
       .excludes(all);
-  command.add_choice("--faces", settings.faces,
+  command.add_choice("--faces", settings.list.request.faces,
                      {{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}},
                      "faces that are hit");
   command
@@ -257,7 +241,7 @@ void add_list_options(const CommandLine& command, Settings& settings) {
   command.group(rays_group);
   command
       .add_option(
-          "--ray-numbers", settings.ray_numbers,
+          "--ray-numbers", settings.list.format.numbers,
           "numbers per ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
           "tmax)")
       .among(std::set<int>{6, 8})
@@ -266,9 +250,9 @@ void add_list_options(const CommandLine& command, Settings& settings) {
                      {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
                      "type of these numbers; auto: float64 where the file's name ends in .f64");
   command.add_file(
-      "--exclude", settings.excluded,
+      "--exclude", settings.list.excluded,
       "a primitive for each ray that it doesn't hit, or -1: int32 numbers, or a NumPy array of them");
-  command.add_flag("--relative", settings.relative,
+  command.add_flag("--relative", settings.list.format.is_relative,
                    "rays are relative to the scene's local origin, and not in the world");
 }
 
@@ -291,6 +275,18 @@ void add_walk_options(const CommandLine& command, Settings& settings) {
   command.group_needs(camera_group, pixel);
 }
 
+void add_options(const CommandLine& command, Settings& settings) {
+  command.footer("Example:\n  gridtrace balls.scene balls.grid rays.npy -o hits.npy --write t,normal");
+  settings.tracing.add_files(command);
+  command.add_option("RAYS", settings.list.rays,
+                     "list of rays: numbers; .npy, a NumPy array of shape (N, 6) or (N, 8); .csv, text "
+                     "whose first line is ox,oy,oz,dx,dy,dz, with tmin and tmax among them or not; - is "
+                     "standard input");
+  add_list_options(command, settings);
+  add_walk_options(command, settings);
+  settings.tracing.add_to(command);
+}
+
 // Options that would have no effect are errors.
 void refuse_useless(const CommandLine& command, const Settings& settings) {
   const bool is_walk = settings.is_walk();
@@ -303,7 +299,7 @@ void refuse_useless(const CommandLine& command, const Settings& settings) {
                 is_walk ? "is for a list of rays: leave it out with --ray and --pixel"
                         : "is for the walk of one ray: give --ray or --pixel");
   }
-  const bool says_its_numbers = settings.rays.ends_with(".npy") || settings.rays.ends_with(".csv"),
+  const bool says_its_numbers = settings.list.rays.ends_with(".npy") || settings.list.rays.ends_with(".csv"),
              needs_no_name = !settings.write.empty() || settings.any_hit || settings.count_hits,
              is_one_ray = is_walk && !settings.all_rays;
   const char *const numbers = "is for numbers alone: a .npy or .csv says it itself",
@@ -324,28 +320,31 @@ void refuse_useless(const CommandLine& command, const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_ranks_tool(
+  Ranks ranks;
+  return ranks.ended(run_tool(
       "gridtrace", "Traces a list of rays through a scene's grid, or prints the walk of one ray.", argc, argv,
-      [](const CommandLine& command, const auto& parse) {
+      [&](const CommandLine& command, const auto& parse) {
         Settings settings;
-        command.footer("Example:\n  gridtrace balls.scene balls.grid rays.npy -o hits.npy --write t,normal");
-        settings.tracing.add_files(command);
-        command.add_option(
-            "RAYS", settings.rays,
-            "list of rays: numbers; .npy, a NumPy array of shape (N, 6) or (N, 8); .csv, text "
-            "whose first line is ox,oy,oz,dx,dy,dz, with tmin and tmax among them or not; - is "
-            "standard input");
-        add_list_options(command, settings);
-        add_walk_options(command, settings);
-        settings.tracing.add_to(command);
-        Ranks& ranks = parse();
+        add_options(command, settings);
+        parse();
+        ranks.start();
         TracingOptions& tracing = settings.tracing;
-        if (tracing.brute_force && settings.rays.empty() && !settings.is_walk())
-          std::swap(settings.rays, tracing.grid); // SCENE RAYS
+        if (tracing.brute_force && settings.list.rays.empty() && !settings.is_walk())
+          std::swap(settings.list.rays, tracing.grid); // SCENE RAYS
         const auto limit = limit_threads(tracing, ranks);
         refuse_useless(command, settings);
         check(settings, ranks);
-        if (!settings.is_walk()) return trace_list(settings, ranks);
-        if (ranks.rank() == 0) print_walk(settings);
-      });
+        if (settings.is_walk()) {
+          if (ranks.rank() == 0) print_walk(settings);
+          return;
+        }
+        const OpenedScene opened("gridtrace", tracing, gpus_of(tracing.devices, ranks));
+        const bool quiet = tracing.quiet || ranks.rank() > 0;
+        const TracingReport report =
+            trace_ray_list(opened.tracer(), ray_list_job(settings, opened), ranks, quiet);
+        if (ranks.rank() > 0) return;
+        note_invalid(settings, report.totals);
+        write_reports("gridtrace", tracing, opened, ranks, report, quiet);
+      },
+      {Ranks::prints_help, [&] { return ranks.is_first_to_fail(); }}));
 }

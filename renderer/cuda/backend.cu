@@ -57,11 +57,10 @@ unsigned kinds_on(const DeviceFiles& files) {
 void render_cuda(const DeviceFiles& files, const FrameRequest& request, Frame& frame) {
   const DeviceScope device(files.memory->device);
   const auto buffers = files.memory->frames.borrow();
-  files.with_arithmetic(
-      request.tracing.precision,
-      [&]<class TestRay, class Stored>(const DeviceFilesOf<Stored>& stored, Arithmetic<TestRay>) {
-        render_on_device<TestRay>(stored, request, *buffers, frame);
-      });
+  constexpr ByArithmetic render{
+      render_on_device<TextbookRay, float>, render_on_device<WatertightRay<float>, float>,
+      render_on_device<WatertightRay<double>, float>, render_on_device<WatertightRay<double>, double>};
+  render.of(files, request.tracing.precision)(files, request, *buffers, frame);
 }
 
 void launch_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,

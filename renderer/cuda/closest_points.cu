@@ -35,7 +35,7 @@ __global__ void __launch_bounds__(places_per_block)
 } // namespace
 
 KernelSize launch_closest(const DeviceFiles& files, const RayList& places, const RayResults& results,
-                          cudaStream_t stream, cudaEvent_t begun) {
+                          const RaysRequest&, Counts*, cudaStream_t stream, cudaEvent_t begun) {
   return files.with_store([&]<class Stored>(const DeviceFilesOf<Stored>& stored) {
     const std::uint32_t blocks = blocks_of(places_per_block, places.count);
     const auto start = [&](auto* kernel, const auto&... given) {

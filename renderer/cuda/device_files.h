@@ -1,7 +1,6 @@
 // A tracer's files on a CUDA device, and what its queries share there. CUDA sources only.
 #pragma once
 
-#include "renderer/arithmetic.h"
 #include "renderer/backend.h"
 #include "renderer/cuda/device_scene.h"
 #include "renderer/cuda/host_rays.h"
@@ -9,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace masu {
@@ -107,22 +107,35 @@ struct DeviceFiles {
     });
   }
 
-  // Calls act(DeviceFilesOf) with the one that is there.
+  // Returns act(DeviceFilesOf) of the one that is there.
   template <class Act>
   auto with_store(const Act& act) const {
     return float32 ? act(*float32) : act(*float64);
   }
-  // Calls act(DeviceFilesOf, Arithmetic); `precision` is resolved.
-  template <class Act>
-  void with_arithmetic(Precision precision, const Act& act) const {
-    with_store([&](const auto& files) {
-      masu::with_arithmetic(files.scene.view, precision, [&](auto arithmetic) { act(files, arithmetic); });
-    });
+  template <class Stored>
+  const DeviceFilesOf<Stored>& of() const {
+    if constexpr (std::is_same_v<Stored, float>)
+      return *float32;
+    else
+      return *float64;
   }
   bool are_counted(const TracingRules& rules) const {
     return with_store([&](const auto& files) {
       return files.placements == nullptr && is_counted(files.structure.records, rules);
     });
+  }
+};
+
+// A function for each arithmetic and store that are compiled: `precision` is resolved.
+template <class Function>
+struct ByArithmetic {
+  Function *fast, *robust, *doubled, *float64;
+
+  Function* of(const DeviceFiles& files, Precision precision) const {
+    return files.float64                     ? float64
+           : precision == Precision::fast    ? fast
+           : precision == Precision::doubled ? doubled
+                                             : robust;
   }
 };
 

@@ -114,7 +114,8 @@ struct HostList {
     RayList list(from, piece.count, rays.format);
     list.filters = {excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
     list.placed_filters = {excluded_objects.data(), worlds.data()};
-    return launch_rays(files, list, results_in(found, arrays, piece.count), request, counts.data(), stream);
+    return launcher_of(files, request)(files, list, results_in(found, arrays, piece.count), request,
+                                       counts.data(), stream, nullptr);
   }
 };
 

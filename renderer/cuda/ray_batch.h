@@ -22,7 +22,7 @@ struct RayBatch {
 
 // For each arithmetic and store: render_float.cu, rays_float.cu, …. Throw Error(device).
 template <class TestRay, class Stored>
-void render_on_device(const DeviceFilesOf<Stored>& files, const FrameRequest& request, FrameBuffers& buffers,
+void render_on_device(const DeviceFiles& device_files, const FrameRequest& request, FrameBuffers& buffers,
                       Frame& frame);
 // The picture's pixels of the radiance along all its rays.
 void launch_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
@@ -31,31 +31,20 @@ void launch_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling
 template <class Real, class Stored>
 void launch_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
                        const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream);
-template <class TestRay, class Stored>
-KernelSize launch_batch(const DeviceFilesOf<Stored>& files, const RaysRequest& request,
-                        const RayBatch<typename TestRay::Real>& batch);
-// Hits in order (hit_list.h); not by `fast`.
-template <class TestRay, class Stored>
-KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const HitRules& rules, const RayFilters& filters,
-                       const RayBatch<typename TestRay::Real>& batch);
-template <class Real, class Stored>
-void launch_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
-                       const RayResults& results);
-
-// Of placed meshes: a whole query, with names and attributes; not by `fast`.
+// Of placed meshes: with names and attributes; not by `fast`.
 template <class TestRay, class Stored>
 KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list, const RaysRequest& request,
                          const RayBatch<typename TestRay::Real>& batch, const RayResults& results);
 
-// Of places in device memory, whichever store and structure; by launch_rays().
-KernelSize launch_closest(const DeviceFiles& files, const RayList& places, const RayResults& results,
-                          cudaStream_t stream, cudaEvent_t begun);
-
-// Puts a query of rays in the memory of the files' device, the current one, on a stream. Counts are added to
-// `counts` there, where that isn't null. `begun`, where it isn't null, is recorded when memory is there and
-// the kernels come. Throws Error(device).
-KernelSize launch_rays(const DeviceFiles& files, const RayList& rays, const RayResults& results,
-                       const RaysRequest& request, Counts* counts, cudaStream_t stream,
-                       cudaEvent_t begun = nullptr);
+// Puts a query of rays, one or more, in the memory of the files' device, the current one, on a stream. Counts
+// are added to `counts` there, where that isn't null. `begun`, where it isn't null, is recorded when memory
+// is there and the kernels come. Throws Error(device).
+using LaunchRays = KernelSize(const DeviceFiles& files, const RayList& rays, const RayResults& results,
+                              const RaysRequest& request, Counts* counts, cudaStream_t stream,
+                              cudaEvent_t begun);
+template <class TestRay, class Stored>
+LaunchRays launch_list;    // rays_float.cu, rays_double.cu
+LaunchRays launch_closest; // of places, whichever store and structure; nothing is counted
+LaunchRays* launcher_of(const DeviceFiles& files, const RaysRequest& request);
 
 } // namespace masu

@@ -2,9 +2,9 @@
 
 namespace masu {
 
-template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<float>&, const FrameRequest&,
-                                                      FrameBuffers&, Frame&);
-template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<double>&, const FrameRequest&,
-                                                      FrameBuffers&, Frame&);
+template void render_on_device<WatertightRay<double>, float>(const DeviceFiles&, const FrameRequest&,
+                                                             FrameBuffers&, Frame&);
+template void render_on_device<WatertightRay<double>, double>(const DeviceFiles&, const FrameRequest&,
+                                                              FrameBuffers&, Frame&);
 
 } // namespace masu

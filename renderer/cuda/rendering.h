@@ -34,8 +34,9 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
 
 // Traces a picture with rays of this arithmetic. Throws Error(device).
 template <class TestRay, class Stored>
-void render_on_device(const DeviceFilesOf<Stored>& files, const FrameRequest& request, FrameBuffers& buffers,
+void render_on_device(const DeviceFiles& device_files, const FrameRequest& request, FrameBuffers& buffers,
                       Frame& frame) {
+  const DeviceFilesOf<Stored>& files = device_files.of<Stored>();
   const cudaStream_t stream = buffers.stream;
   const StreamMemory memory{stream, files.memory.pool};
   const std::size_t ray_count =

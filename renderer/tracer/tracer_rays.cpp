@@ -133,7 +133,9 @@ QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results
     check_unchanged();
     return report;
   }
-  return trace_by_gpus({&files_.at(index), 1}, relative_to(scene_.origin(), rays), results, resolved_request);
+  std::atomic<std::size_t> next_piece = 0;
+  return trace_rays_cuda(*files_.at(index), relative_to(scene_.origin(), rays), results, resolved_request,
+                         next_piece);
 }
 
 QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results,

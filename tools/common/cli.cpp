@@ -128,8 +128,11 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
   prepare_process();
   try {
     check_processor();
-    run_command_line(name, description, fmt::format("{}, {}", name, program_name()), argc, argv, body,
-                     prints.help);
+    const CommandLine command(name, description, fmt::format("{}, {}", name, program_name()));
+    try {
+      body(command, [&] { command.parse(argc, argv, prints.help); });
+    } catch (const CommandLine::HelpGiven&) {
+    }
     flush_standard_output();
     claim_last_line(); // success needs none
     return 0;

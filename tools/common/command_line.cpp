@@ -276,6 +276,28 @@ bool Option::is_given() const {
   return option_->count() > 0;
 }
 
+CommandLine::CommandLine(const char* name, const char* description, const std::string& version_text)
+    : app_(std::make_shared<CLI::App>(description, name)) {
+  app_->set_version_flag("--version", version_text);
+  app_->formatter_fn(help_text);
+}
+
+void CommandLine::parse(int argc, char** argv, const std::function<bool()>& prints_help) const {
+  refuse_empty_values(app_->get_name(), argc, argv);
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::Success& success) { // --help, --version
+    if (prints_help()) app_->exit(success);
+    throw HelpGiven{};
+  } catch (const CLI::ParseError& error) {
+    std::string command = app_->get_name(); // with the subcommand whose help lists the options
+    for (const CLI::App* const subcommand : app_->get_subcommands())
+      command += " " + subcommand->get_name();
+    refuse_unknown_option(*app_, command);
+    throw Error(ErrorCode::usage, "command line", fmt::format("{}: see {} --help", error.what(), command));
+  }
+}
+
 template <class Value>
 Option CommandLine::add_option(const std::string& names, Value& value, const std::string& help) const {
   return Option(app_->add_option(names, value, help));
@@ -345,32 +367,10 @@ void CommandLine::refuse(std::initializer_list<Useless> options) const {
 }
 CommandLine CommandLine::add_subcommand(const std::string& name, const std::string& description) const {
   app_->require_subcommand(1);
-  return CommandLine(app_->add_subcommand(name, description));
+  return CommandLine(std::shared_ptr<CLI::App>(app_, app_->add_subcommand(name, description)));
 }
 void CommandLine::calls(const std::function<void()>& run) const {
   app_->callback(run);
-}
-
-void run_command_line(const char* name, const char* description, const std::string& version_text, int argc,
-                      char** argv, const ToolBody& body, const std::function<bool()>& prints_help) {
-  CLI::App app(description, name);
-  app.set_version_flag("--version", version_text);
-  app.formatter_fn(help_text);
-  CommandLine line(&app);
-  try {
-    body(line, [&] {
-      refuse_empty_values(name, argc, argv);
-      app.parse(argc, argv);
-    });
-  } catch (const CLI::Success& success) { // --help, --version
-    if (prints_help()) app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    std::string command = name; // with the subcommand whose help lists the options
-    for (const CLI::App* const subcommand : app.get_subcommands())
-      command += " " + subcommand->get_name();
-    refuse_unknown_option(app, command);
-    throw Error(ErrorCode::usage, "command line", fmt::format("{}: see {} --help", error.what(), command));
-  }
 }
 
 } // namespace masu

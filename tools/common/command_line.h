@@ -5,6 +5,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -54,7 +55,14 @@ private:
 
 class CommandLine {
 public:
-  explicit CommandLine(CLI::App* app) : app_(app) {}
+  // What parse() throws instead of returning: the tool has nothing else to do.
+  struct HelpGiven {};
+
+  CommandLine(const char* name, const char* description, const std::string& version_text);
+
+  // When all options are added. Prints what --help or --version ask for where prints_help() says so. Throws
+  // Error(usage, …) for a command line that isn't right.
+  void parse(int argc, char** argv, const std::function<bool()>& prints_help) const;
 
   // A variable gets the option's value: a number, a text, an optional number, or a list of them. Its initial
   // value is the default.
@@ -111,18 +119,14 @@ public:
   void calls(const std::function<void()>& run) const;
 
 private:
+  explicit CommandLine(std::shared_ptr<CLI::App> app) : app_(std::move(app)) {}
   Option add_named(const std::string& names, int value, const std::map<std::string, int>& choices,
                    const std::function<void(int)>& choose, const std::string& help) const;
 
-  CLI::App* app_;
+  std::shared_ptr<CLI::App> app_;
 };
 
 // Adds options and an example, the footer, to the command line, calls parse(), and runs the tool.
 using ToolBody = std::function<void(const CommandLine& command, const std::function<void()>& parse)>;
-
-// Calls body(), and prints what --help or --version ask for where prints_help() says so. Throws Error(usage,
-// …) for a command line that isn't right.
-void run_command_line(const char* name, const char* description, const std::string& version_text, int argc,
-                      char** argv, const ToolBody& body, const std::function<bool()>& prints_help);
 
 } // namespace masu

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -15,14 +14,15 @@ namespace masu {
 // that wait don't keep a core busy.
 class Ranks {
 public:
-  // The rank that this process was launched as, before MPI starts; nothing where it was started by itself.
-  static std::optional<int> launched_as();
-
-  // Ends the process where MPI doesn't start.
-  Ranks(int* argc, char*** argv);
+  Ranks();
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
+
+  // Whether this process is the one to print --help and --version, which need no MPI.
+  static bool prints_help();
+  // When the command line is whole, before what follows. Ends the process where MPI doesn't start.
+  void start();
 
   int rank() const { return rank_; }
   int count() const { return count_; }
@@ -45,7 +45,7 @@ public:
   void broadcast(std::string& text);
 
   // --- The end
-  // Whether this rank is the first that asks: the one to report its error.
+  // Whether this rank is the first that asks: the one to report its error. Also before start().
   bool is_first_to_fail();
   // The exit code of the main. An error of one rank ends all of them with its code.
   int ended(int code);

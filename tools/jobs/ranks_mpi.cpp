@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace masu {
@@ -38,6 +39,14 @@ constexpr auto pause = std::chrono::microseconds(200), longest_pause = std::chro
 constexpr auto between_idle_calls = std::chrono::milliseconds(200);
 constexpr auto patience = std::chrono::seconds(20);  // for the rank that reports an error to end all
 constexpr auto forwarding = std::chrono::seconds(1); // of its line, at most
+
+// The rank that this process was launched as; nothing where it was started by itself.
+std::optional<int> launched_as() {
+  for (const char* const name : {"PMIX_RANK", "PMI_RANK", "OMPI_COMM_WORLD_RANK", "SLURM_PROCID"}) {
+    if (const char* const rank = std::getenv(name)) return std::atoi(rank);
+  }
+  return {};
+}
 
 // Until mpirun has read what it forwards of standard error, a pipe: else its own lines about the end could
 // come first, the last of which Open MPI 5 ends with a zero byte.
@@ -146,17 +155,17 @@ struct Ranks::State {
   }
 };
 
-std::optional<int> Ranks::launched_as() {
-  for (const char* const name : {"PMIX_RANK", "PMI_RANK", "OMPI_COMM_WORLD_RANK", "SLURM_PROCID"}) {
-    if (const char* const rank = std::getenv(name)) return std::atoi(rank);
-  }
-  return {};
+Ranks::Ranks() = default;
+
+bool Ranks::prints_help() {
+  return launched_as().value_or(0) == 0;
 }
 
-Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
+void Ranks::start() {
+  state_ = std::make_unique<State>();
   State& state = *state_;
   int provided = 0;
-  if (MPI_Init_thread(argc, argv, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS ||
+  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS ||
       provided < MPI_THREAD_SERIALIZED) {
     static_cast<void>(
         std::fprintf(stderr, "%s: MPI: has no threads (MPI_THREAD_SERIALIZED): take another build of it\n",
@@ -181,6 +190,7 @@ Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
 }
 
 Ranks::~Ranks() {
+  if (!state_) return;
   wait_for_all();
   state_->ended = true;
   if (state_->helper.joinable()) state_->helper.join();
@@ -220,6 +230,8 @@ void Ranks::broadcast(std::string& text) {
 }
 
 bool Ranks::is_first_to_fail() {
+  if (!state_ && !launched_as()) return true;
+  if (!state_) start();
   state_->reports = state_->fetch_and_add(failures, 1) == 0;
   return state_->reports;
 }

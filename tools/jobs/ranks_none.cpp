@@ -9,12 +9,13 @@ struct Ranks::State {
   std::atomic<std::uint64_t> next = 0, finished = 0;
 };
 
-std::optional<int> Ranks::launched_as() {
-  return {};
-}
-
-Ranks::Ranks(int*, char***) : state_(std::make_unique<State>()) {}
+Ranks::Ranks() : state_(std::make_unique<State>()) {}
 Ranks::~Ranks() = default;
+
+bool Ranks::prints_help() {
+  return true;
+}
+void Ranks::start() {}
 
 std::uint64_t Ranks::next() {
   return state_->next++;

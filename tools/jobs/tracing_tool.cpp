@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace masu {
 namespace {
@@ -116,24 +115,6 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
              report.views > 1 ? fmt::format("{} views, ", grouped(report.views)) : "", grouped(rays), seconds,
              besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device,
              why.empty() ? "" : fmt::format(" ({})", why), precision_text(report));
-}
-
-int run_ranks_tool(const char* name, const char* description, int argc, char** argv,
-                   const RanksToolBody& body) {
-  prepare_process();
-  std::optional<Ranks> started; // when the command line is whole
-  const auto ranks = [&]() -> Ranks& { return started ? *started : started.emplace(&argc, &argv); };
-  const int code =
-      run_tool(name, description, argc, argv,
-               [&](const CommandLine& command, const auto& parse) {
-                 body(command, [&]() -> Ranks& {
-                   parse();
-                   return ranks();
-                 });
-               },
-               {[] { return Ranks::launched_as().value_or(0) == 0; },
-                [&] { return (!started && !Ranks::launched_as()) || ranks().is_first_to_fail(); }});
-  return started ? started->ended(code) : code;
 }
 
 } // namespace masu

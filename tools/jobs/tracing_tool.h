@@ -13,7 +13,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -54,11 +53,5 @@ Resume resume_of(const TracingOptions& options, const OpenedScene& opened);
 // kept, a report of it that is there is kept, too. By rank 0.
 void write_reports(const char* tool, const TracingOptions& options, const OpenedScene& opened,
                    const Ranks& ranks, const TracingReport& report, bool quiet);
-
-// The main of a tool whose processes may be ranks (run_tool() of tools/common/cli.h): parse() returns them.
-// --help and --version need no MPI.
-using RanksToolBody = std::function<void(const CommandLine& command, const std::function<Ranks&()>& parse)>;
-int run_ranks_tool(const char* name, const char* description, int argc, char** argv,
-                   const RanksToolBody& body);
 
 } // namespace masu

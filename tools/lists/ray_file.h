@@ -29,7 +29,6 @@ public:
 
   // Of what is read.
   const RayFormat& format() const { return format_; }
-  bool is_text() const { return csv_.has_value(); }
   std::uint64_t bytes() const { return bytes_; }                   // of a named file, else 0
   std::optional<std::uint64_t> count() const { return expected_; } // where it is known at the start
 

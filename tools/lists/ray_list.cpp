@@ -3,6 +3,7 @@
 #include "libscene/base/error.h"
 #include "libscene/base/stopwatch.h"
 #include "renderer/rays/automatic_loop.h"
+#include "tools/common/progress.h"
 #include "tools/common/repeated.h"
 #include "tools/jobs/run_tasks.h"
 #include "tools/lists/excluded_file.h"
@@ -147,9 +148,8 @@ private:
 class ListTracer {
 public:
   // Collective.
-  ListTracer(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks,
-             const std::function<void(double)>& progress)
-      : tracer_(tracer), job_(job), ranks_(ranks), progress_(progress),
+  ListTracer(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks, bool quiet)
+      : tracer_(tracer), job_(job), ranks_(ranks), progress_("tracing", quiet),
         in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
         format_(job.hits, job.fields, row_of(job)), file_(job.rays, job.format),
         chunks_(file_, rays_per_chunk(job), ranks) {
@@ -281,7 +281,7 @@ private:
   const ResidentTracer& tracer_;
   const RayListJob& job_;
   Ranks& ranks_;
-  const std::function<void(double)>& progress_;
+  Progress progress_;
   bool in_double_;
   HitFormat format_;
   RayFile file_;
@@ -297,10 +297,9 @@ private:
 
 } // namespace
 
-TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks,
-                             const std::function<void(double)>& progress) {
+TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks, bool quiet) {
   const Stopwatch elapsed;
-  ListTracer tracing(tracer, job, ranks, progress);
+  ListTracer tracing(tracer, job, ranks, quiet);
   if (tracing.is_kept()) return tracing.finish();
   // A chunk may still be read from a pipe when another one fails.
   const auto ending = [&](const auto& act) {

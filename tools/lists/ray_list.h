@@ -13,8 +13,8 @@
 namespace masu {
 
 struct RayListJob {
-  std::string rays;       // a file, or - for standard input (ray_file.h)
-  std::string hits;       // a file, or - for standard output; empty: nothing is written (hit_file.h)
+  std::string rays{};     // a file, or - for standard input (ray_file.h)
+  std::string hits{};     // a file, or - for standard output; empty: nothing is written (hit_file.h)
   RayFormat format{};     // of what is numbers alone
   std::string excluded{}; // a file (excluded_file.h); empty: nothing is
   std::vector<std::uint32_t> object_masks{}; // RayFilters; empty: every object is hit
@@ -24,11 +24,10 @@ struct RayListJob {
   Resume resume = Resume::off;
 };
 
-// Collective (tools/jobs/ranks.h). `progress` gets the share of the list whose hits are written, where it is
-// a file. With Resume::all hits that are there are kept, and nothing is traced. Throws what RayFile throws,
-// Error(usage) where ranks share a list that isn't a file, Error(output), and what ResidentTracer::trace()
-// throws.
-TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks,
-                             const std::function<void(double)>& progress);
+// Collective (tools/jobs/ranks.h). Shows the share of the list whose hits are written, where it is a file and
+// unless `quiet`. With Resume::all hits that are there are kept, and nothing is traced. Throws what RayFile
+// throws, Error(usage) where ranks share a list that isn't a file, Error(output), and what
+// ResidentTracer::trace() throws.
+TracingReport trace_ray_list(const ResidentTracer& tracer, const RayListJob& job, Ranks& ranks, bool quiet);
 
 } // namespace masu

@@ -4,6 +4,7 @@
 #include "libscene/base/stopwatch.h"
 #include "libscene/file/output_file.h"
 #include "tools/common/number_list.h"
+#include "tools/common/progress.h"
 #include "tools/draw/value_picture.h"
 #include "tools/lists/npy.h"
 
@@ -129,8 +130,8 @@ ChannelFiles channel_files(const std::string& picture, Channel channel, ChannelF
   return {base + (format == ChannelFormat::npy ? ".npy" : ".pfm"), base + ".png"};
 }
 
-TracingReport write_channels(const ResidentTracer& tracer, const ChannelsJob& job,
-                             const std::function<void(double)>& progress) {
+TracingReport write_channels(const ResidentTracer& tracer, const ChannelsJob& job, bool quiet) {
+  Progress progress("tracing channels", quiet);
   const Stopwatch watch;
   TracingReport report;
   report.views = job.views.size();

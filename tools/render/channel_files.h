@@ -6,7 +6,6 @@
 #include "tools/jobs/tracing_report.h"
 #include "tools/render/views.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,9 +34,9 @@ struct ChannelsJob {
 
 // Traces and writes one view after the other. PFM: float32, one channel, of normals three; .npy: shape (rows,
 // columns), of normals (rows, columns, 3), float32 for depth, normals and idle, int32 for objects and
-// primitives, uint32 for cells and tests. `progress` gets the finished share. The report has the camera rays'
-// number and the seconds of tracing and writing together. Throws as trace_channels() does, and Error(output).
-TracingReport write_channels(const ResidentTracer& tracer, const ChannelsJob& job,
-                             const std::function<void(double)>& progress);
+// primitives, uint32 for cells and tests. Shows the finished share unless `quiet`. The report has the camera
+// rays' number and the seconds of tracing and writing together. Throws as trace_channels() does, and
+// Error(output).
+TracingReport write_channels(const ResidentTracer& tracer, const ChannelsJob& job, bool quiet);
 
 } // namespace masu

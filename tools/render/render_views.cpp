@@ -2,6 +2,7 @@
 
 #include "libscene/base/error.h"
 #include "libscene/base/stopwatch.h"
+#include "tools/common/progress.h"
 #include "tools/common/repeated.h"
 #include "tools/jobs/run_tasks.h"
 #include "tools/render/picture_bands.h"
@@ -165,8 +166,8 @@ class ViewsRenderer {
 public:
   // Collective.
   ViewsRenderer(const ResidentTracer& tracer, const ViewsRequest& request, const Layout& layout, Ranks& ranks,
-                const std::function<void(double)>& progress)
-      : tracer_(tracer), request_(request), layout_(layout), ranks_(ranks), progress_(progress),
+                bool quiet)
+      : tracer_(tracer), request_(request), layout_(layout), ranks_(ranks), progress_("rendering", quiet),
         outputs_(request.views.size()), precisions_(request.views.size()) {
     for (std::size_t view = layout.first_shared; view < request.views.size(); ++view) {
       if (!layout.is_shared(view)) continue;
@@ -325,7 +326,7 @@ private:
   const ViewsRequest& request_;
   const Layout& layout_;
   Ranks& ranks_;
-  const std::function<void(double)>& progress_;
+  Progress progress_;
   std::mutex taking_; // of taken_
   Layout::Bands taken_{};
   std::mutex mutex_; // of what follows
@@ -343,7 +344,7 @@ private:
 } // namespace
 
 TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& asked, Ranks& ranks,
-                           const std::function<void(double)>& progress) {
+                           bool quiet) {
   const Stopwatch watch;
   TracingReport kept;
   ViewsRequest rest;
@@ -351,7 +352,7 @@ TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& ask
   if (resumes) rest = without_kept(asked, ranks, kept);
   const ViewsRequest& request = resumes ? rest : asked;
   const Layout layout(request, ranks);
-  ViewsRenderer renderer(tracer, request, layout, ranks, progress);
+  ViewsRenderer renderer(tracer, request, layout, ranks, quiet);
   run_tasks(
       tracer, tasks_under_way(tracer, layout.largest_band()),
       [&](std::size_t device) { return renderer.trace(device); },

@@ -9,7 +9,6 @@
 #include "tools/lists/hit_file.h"
 #include "tools/render/views.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,9 +31,9 @@ struct ViewsRequest {
 
 // Collective (tools/jobs/ranks.h). Files are the same bytes for any number of ranks, devices and threads.
 // With `resume` files that are there are kept, and views without others aren't traced; the report has the
-// others'. `progress` gets the finished share, from any thread. When it throws (Error of the tracer and of
-// output files), files of some views have been written, each whole.
+// others'. Shows the finished share unless `quiet`. When it throws (Error of the tracer and of output files),
+// files of some views have been written, each whole.
 TracingReport render_views(const ResidentTracer& tracer, const ViewsRequest& request, Ranks& ranks,
-                           const std::function<void(double)>& progress);
+                           bool quiet);
 
 } // namespace masu

@@ -98,7 +98,7 @@ KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list
         size = trace_by_hierarchy<query, Method<TestRay, with_triangles>>(files, placed, request.loop, batch);
         return;
       }
-    size = trace_by_refill<query, General>(files, placed, batch);
+    size = trace_by_hierarchy<query, General, true>(files, placed, RayLoop::warp_refill, batch);
   });
   if (request.query == Query::nearest_hit && (results.primitive != nullptr || results.has_attributes()))
     launch(placed_names_kernel<Real, Stored>, blocks, rays_per_block, stream, scene,

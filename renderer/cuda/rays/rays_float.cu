@@ -2,12 +2,7 @@
 
 namespace masu {
 
-template KernelSize launch_batch<WatertightRay<float>>(const DeviceFilesOf<float>&, const RaysRequest&,
-                                                       const RayBatch<float>&);
-template KernelSize launch_hits<WatertightRay<float>>(const DeviceFilesOf<float>&, const HitRules&,
-                                                      const RayFilters&, const RayBatch<float>&);
-template KernelSize launch_batch<TextbookRay>(const DeviceFilesOf<float>&, const RaysRequest&,
-                                              const RayBatch<float>&);
-template void launch_attributes(const DeviceFilesOf<float>&, const RayBatch<float>&, const RayResults&);
+template LaunchRays launch_list<WatertightRay<float>, float>;
+template LaunchRays launch_list<TextbookRay, float>;
 
 } // namespace masu

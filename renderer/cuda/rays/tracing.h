@@ -1,13 +1,15 @@
 // Lists of rays on a CUDA device: the kernels, and how they are launched. CUDA sources only.
 //
 // Kernels of float32 and of double arithmetic are compiled in a source each (rays_*.cu), which instantiates
-// launch_batch(): so they are compiled at the same time.
+// launch_list(): so they are compiled at the same time.
 #pragma once
 
 #include "renderer/cuda/device_method.h"
 #include "renderer/cuda/ray_batch.h"
 #include "renderer/cuda/rays/hierarchy_rays.h"
 #include "renderer/cuda/rays/warp_tracing.h"
+
+#include <vector>
 
 namespace masu {
 
@@ -51,27 +53,6 @@ constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
                                 (std::is_same_v<TestRay, WatertightRay<double>> &&
                                  query == Query::nearest_hit && !is_hierarchy<Structure>);
 
-// A list of rays, with room for those that culling chooses where that may be worth it.
-template <class Real>
-struct CullingMemory {
-  DeviceArray<std::uint32_t> chosen;
-  RayQueue<Real> queue;
-
-  CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, const StreamMemory& memory)
-      : chosen(refills && count >= min_rays_culled ? count : 0, memory), queue{rays, count, chosen.data(),
-                                                                               chosen.size() > 0} {}
-};
-
-template <class Real, class Stored>
-void cull(const DeviceFilesOf<Stored>& files, Query query, const RayBatch<Real>& batch,
-          const CullingMemory<Real>& culled, WarpProgress* progress) {
-  if (!culled.queue.may_cull) return;
-  auto* const kernel = cull_kernel<Real, Stored>;
-  launch(kernel, files.kernels->of(kernel, threads_per_culling_block).blocks, threads_per_culling_block,
-         batch.memory.stream, files.scene.view, batch.rays, culled.queue.count, query, batch.results,
-         culled.chosen.data(), progress);
-}
-
 // Traces by warp or warp_refill (RayLoop).
 template <Query query, class M, class Stored, class Structure>
 KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Structure& grid, RayLoop loop,
@@ -88,86 +69,76 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Structure& g
   const std::uint32_t blocks = std::min(blocks_of(rays_per_block, count), known.blocks),
                       finishing = std::max(blocks, known_finish.blocks);
   const StragglerQueueMemory<Real> left(blocks * (rays_per_block / lanes_per_warp), batch.memory);
-  const CullingMemory<Real> culled(batch.rays, count, refills, batch.memory);
-  const RayQueue<Real>& queue = culled.queue;
+  const DeviceArray<std::uint32_t> chosen(refills && count >= min_rays_culled ? count : 0, batch.memory);
+  const RayQueue<Real> queue{batch.rays, count, chosen.data(), chosen.size() > 0};
   batch.begin();
-  cull(files, query, batch, culled, left.view().progress);
+  if (auto* const cull = cull_kernel<Real, Stored>; queue.may_cull)
+    launch(cull, files.kernels->of(cull, threads_per_culling_block).blocks, threads_per_culling_block, stream,
+           scene, batch.rays, count, query, batch.results, chosen.data(), left.view().progress);
   const int fetching = refills ? some_fetch : all_fetch;
   launch(trace, blocks, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
   launch(finish, finishing, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
   return known.size;
 }
 
-// act(batch, first, count) for parts of a list that warps can number, from ray `first` on.
-template <class Real, class Act>
-void for_each_part(const RayBatch<Real>& all, const Act& act) {
-  RayBatch<Real> part = all;
-  for (std::uint64_t first = 0; first < all.count; first += max_rays_by_warps) {
-    const auto count = static_cast<std::uint32_t>(std::min(all.count - first, max_rays_by_warps));
-    act(std::as_const(part), first, count);
-    part.rays += count;
+// A part of a list that warps can number, from ray `first` on.
+template <class Real>
+struct RayPart {
+  std::uint64_t first;
+  std::uint32_t count;
+  const Ray<Real>* rays;
+  RayResults results;
+};
+template <class Real>
+std::vector<RayPart<Real>> parts_of(const RayBatch<Real>& batch) {
+  std::vector<RayPart<Real>> parts;
+  for (std::uint64_t first = 0; first < batch.count; first += max_rays_by_warps) {
+    const auto count = static_cast<std::uint32_t>(std::min(batch.count - first, max_rays_by_warps));
+    RayPart<Real>& part = parts.emplace_back(first, count, batch.rays + first, batch.results);
     for_each_array(part.results, [&](auto*& array) {
-      if (array != nullptr) array += count;
+      if (array != nullptr) array += first;
     });
   }
+  return parts;
 }
 
-// Through a hierarchy, by a thread per ray; if that is the loop on the device (is_chosen()).
-template <Query query, class M, class Stored, class Hierarchy>
-KernelSize trace_by_packets(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
-                            const RayBatch<typename M::Real>& batch, const RayLoop* chosen) {
-  auto* const kernel = packet_kernel<query, OnDevice<M>, Stored, Hierarchy>;
-  for_each_part(batch, [&](const auto& part, std::uint64_t first, std::uint32_t count) {
-    launch(kernel, blocks_of(rays_per_block, count), rays_per_block, batch.memory.stream, files.scene.view,
-           from_ray(hierarchy, first), part.rays, count, part.results, chosen);
-  });
-  return files.kernels->of(kernel, rays_per_block).size;
-}
-
-// Likewise by fetching. `fetched`: of each part so many rays, 0 at first.
-template <Query query, class M, class Stored, class Hierarchy>
-KernelSize trace_by_refill(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
-                           const RayBatch<typename M::Real>& batch, const RayLoop* chosen,
-                           std::uint32_t* fetched) {
-  auto* const kernel = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
-  const auto known = files.kernels->of(kernel, rays_per_block);
-  for_each_part(batch, [&](const auto& part, std::uint64_t first, std::uint32_t count) {
-    launch(kernel, std::min(blocks_of(rays_per_block, count), known.blocks), rays_per_block,
-           batch.memory.stream, files.scene.view, from_ray(hierarchy, first), part.rays, count, part.results,
-           fetched++, chosen);
-  });
-  return known.size;
-}
-inline DeviceArray<std::uint32_t> fetched_of_parts(std::uint64_t rays, const StreamMemory& memory) {
-  return DeviceArray<std::uint32_t>((rays + max_rays_by_warps - 1) / max_rays_by_warps, memory);
-}
-template <Query query, class M, class Stored, class Hierarchy>
-KernelSize trace_by_refill(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
-                           const RayBatch<typename M::Real>& batch) {
-  const DeviceArray<std::uint32_t> fetched = fetched_of_parts(batch.count, batch.memory);
-  fetched.clear();
-  batch.begin();
-  return trace_by_refill<query, M>(files, hierarchy, batch, nullptr, fetched.data());
-}
-
-template <Query query, class M, class Stored, class Hierarchy>
+// Through a hierarchy by a thread per ray, by fetching, or by what the device chooses: then both are launched
+// (loop_choice.h). Where `fetches_alone`, only fetching is compiled, and asked for.
+template <Query query, class M, bool fetches_alone = false, class Stored, class Hierarchy>
 KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy, RayLoop loop,
                               const RayBatch<typename M::Real>& batch) {
   using Real = typename M::Real;
+  const SceneView<Stored>& scene = files.scene.view;
+  const cudaStream_t stream = batch.memory.stream;
   if (loop == RayLoop::automatic && batch.count < min_rays_looked_at) loop = loop_of_few(query, batch.count);
-  if (loop == RayLoop::warp_refill) return trace_by_refill<query, M>(files, hierarchy, batch);
-  if (loop != RayLoop::automatic) {
-    batch.begin();
-    return trace_by_packets<query, M>(files, hierarchy, batch, nullptr);
-  }
-  const DeviceArray<RayLoop> chosen(1, batch.memory);
-  const DeviceArray<std::uint32_t> fetched = fetched_of_parts(batch.count, batch.memory);
+  const bool chooses = loop == RayLoop::automatic, fetches = chooses || loop == RayLoop::warp_refill;
+  const std::vector<RayPart<Real>> parts = parts_of(batch);
+  const DeviceArray<RayLoop> chosen(chooses ? 1 : 0, batch.memory);
+  const DeviceArray<std::uint32_t> fetched(fetches ? parts.size() : 0, batch.memory); // rays of each part
+  if (!chooses) fetched.clear();
   batch.begin();
-  launch(choose_loop_kernel<query, Real, Stored>, 1, warps_looked_at * lanes_per_warp, batch.memory.stream,
-         files.scene.view, batch.rays, batch.count, chosen.data(), fetched.data(),
-         static_cast<std::uint32_t>(fetched.size()));
-  trace_by_packets<query, M>(files, hierarchy, batch, chosen.data());
-  return trace_by_refill<query, M>(files, hierarchy, batch, chosen.data(), fetched.data());
+  KernelSize size{};
+  if constexpr (!fetches_alone) {
+    auto* const kernel = packet_kernel<query, OnDevice<M>, Stored, Hierarchy>;
+    if (chooses)
+      launch(choose_loop_kernel<query, Real, Stored>, 1, warps_looked_at * lanes_per_warp, stream, scene,
+             batch.rays, batch.count, chosen.data(), fetched.data(),
+             static_cast<std::uint32_t>(fetched.size()));
+    if (chooses || !fetches) {
+      size = files.kernels->of(kernel, rays_per_block).size;
+      for (const RayPart<Real>& part : parts)
+        launch(kernel, blocks_of(rays_per_block, part.count), rays_per_block, stream, scene,
+               from_ray(hierarchy, part.first), part.rays, part.count, part.results, chosen.data());
+    }
+  }
+  if (!fetches) return size;
+  auto* const kernel = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
+  const auto known = files.kernels->of(kernel, rays_per_block);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    launch(kernel, std::min(blocks_of(rays_per_block, parts[i].count), known.blocks), rays_per_block, stream,
+           scene, from_ray(hierarchy, parts[i].first), parts[i].rays, parts[i].count, parts[i].results,
+           fetched.data() + i, chosen.data());
+  return known.size;
 }
 
 // Traces with a thread per ray.
@@ -219,19 +190,7 @@ KernelSize trace_list(const DeviceFilesOf<Stored>& files, const Structure& struc
   }
 }
 
-template <class TestRay, class Stored>
-KernelSize launch_batch(const DeviceFilesOf<Stored>& files, const RaysRequest& request,
-                        const RayBatch<typename TestRay::Real>& batch) {
-  KernelSize size{};
-  with_method<TestRay, Stored>(
-      files.structure.records, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
-        with_query(request.query, [&]<Query query>(QueryTag<query>) {
-          size = trace_list<query, M, C>(files, files.on_device(view), request.loop, batch);
-        });
-      });
-  return size;
-}
-
+// Hits in order (hit_list.h).
 template <class TestRay, class Stored>
 KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const HitRules& rules, const RayFilters& filters,
                        const RayBatch<typename TestRay::Real>& batch) {
@@ -244,11 +203,73 @@ KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const HitRules& rules
   return files.kernels->of(kernel, rays_per_block).size;
 }
 
+// Rays in device memory as they are traced, aligned for the kernels' loads: where they lie, or copied.
 template <class Real, class Stored>
-void launch_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
-                       const RayResults& results) {
-  launch(attributes_kernel<Real, Stored>, blocks_of(rays_per_block, batch.count), rays_per_block,
-         batch.memory.stream, files.scene.view, batch.rays, batch.count, batch.results, results);
+const Ray<Real>* converted(const RayList& list, const Box<Stored>& box, const StreamMemory& memory,
+                           DeviceArray<Ray<Real>>& copy) {
+  if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
+    return static_cast<const Ray<Real>*>(list.rays);
+  copy = DeviceArray<Ray<Real>>(list.count, memory);
+  const void* const rays = list.rays;
+  const RayFormat format = list.format;
+  Ray<Real>* const to = copy.data();
+  for_each_on_device(list.count, memory.stream,
+                     [=] __device__(std::uint64_t i) { to[i] = listed_ray<Real>(rays, format, i, box).ray; });
+  return to;
+}
+
+// to_list() of traced rays, with `row` elements each.
+template <class Real, class Stored>
+void launch_to_list(const RayList& list, const Box<Stored>& box, const RayResults& results, std::uint32_t row,
+                    const StreamMemory& memory) {
+  const bool may_be_skipped =
+      may_be_rounded<Real>(list.format) && (results.t != nullptr || results.t64 != nullptr);
+  if (!may_be_skipped && results.position == nullptr) return;
+  const void* const rays = list.rays;
+  const RayFormat format = list.format;
+  for_each_on_device(list.count, memory.stream, [=] __device__(std::uint64_t i) {
+    to_list(listed_ray<Real>(rays, format, i, box).skipped, format.origin, results, i * row, row);
+  });
+}
+
+template <class TestRay, class Stored>
+KernelSize launch_list(const DeviceFiles& device_files, const RayList& list, const RayResults& results,
+                       const RaysRequest& request, Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
+  using Real = typename TestRay::Real;
+  const DeviceFilesOf<Stored>& files = device_files.of<Stored>();
+  const StreamMemory memory{stream, files.memory.pool};
+  const SceneView<Stored>& scene = files.scene.view;
+  const bool is_placed = files.placements != nullptr, in_order = needs_hits_in_order(list, results, request),
+             is_named = request.query == Query::nearest_hit && !in_order &&
+                        (results.has_attributes() || (is_placed && results.primitive != nullptr));
+  DeviceArray<Ray<Real>> copy;
+  RayBatch<Real> batch{converted(list, scene.clip, memory, copy), list.count, results, counts, memory, begun};
+  const auto room_for = [&]<class T>(T*& found) { // hits that names and attributes are found of
+    DeviceArray<T> own(is_named && found == nullptr ? list.count : 0, memory);
+    if (own.size() > 0) found = own.data();
+    return own;
+  };
+  const DeviceArray<float> t = room_for(batch.results.t);
+  const DeviceArray<std::uint32_t> primitive = room_for(batch.results.primitive);
+  KernelSize size{};
+  if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
+    if (is_placed) size = launch_placed<TestRay>(files, list, request, batch, results);
+    if (in_order && !is_placed) size = launch_hits<TestRay>(files, hit_rules(request), list.filters, batch);
+  }
+  if (!in_order && !is_placed)
+    size = with_method<TestRay, Stored>(
+        files.structure.records, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
+          const auto structure = files.on_device(view);
+          return request.query == Query::occlusion
+                     ? trace_list<Query::occlusion, M, C>(files, structure, request.loop, batch)
+                     : trace_list<Query::nearest_hit, M, C>(files, structure, request.loop, batch);
+        });
+  if (is_named && !is_placed)
+    launch(attributes_kernel<Real, Stored>, blocks_of(rays_per_block, batch.count), rays_per_block,
+           memory.stream, scene, batch.rays, batch.count, batch.results, results);
+  if (request.query != Query::occlusion)
+    launch_to_list<Real>(list, scene.clip, results, hit_rules(request).row(), memory);
+  return size;
 }
 
 } // namespace masu
