@@ -14,7 +14,7 @@ namespace masu {
 // that wait don't keep a core busy.
 class Ranks {
 public:
-  Ranks();
+  Ranks(); // takes no memory: a main has it before it reports errors
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;

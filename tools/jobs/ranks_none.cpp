@@ -9,13 +9,15 @@ struct Ranks::State {
   std::atomic<std::uint64_t> next = 0, finished = 0;
 };
 
-Ranks::Ranks() : state_(std::make_unique<State>()) {}
+Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
 
 bool Ranks::prints_help() {
   return true;
 }
-void Ranks::start() {}
+void Ranks::start() {
+  state_ = std::make_unique<State>();
+}
 
 std::uint64_t Ranks::next() {
   return state_->next++;
