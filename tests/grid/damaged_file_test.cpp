@@ -17,8 +17,6 @@ namespace {
 
 using DamagedFile = RandomTest;
 
-constexpr int damages = 500;
-
 // Overwrites up to four values, often with limits of some type.
 void damage(Bytes& bytes, std::mt19937_64& random) {
   constexpr std::array<std::uint64_t, 16> values{0,
@@ -91,11 +89,12 @@ TEST_F(DamagedFile, ASceneThatOpensCanBeTraced) {
   auto random = seed_.engine();
   const TemporaryFolder folder;
   const std::string path = folder.file("scene");
+  const std::int64_t damages = cases(500);
   for (const Store store : {Store::float32, Store::float64}) {
     write_scene(tiny_scene(), store, path);
     const SceneParts parts(path);
-    int open = 0;
-    for (int i = 0; i < damages; ++i) {
+    std::int64_t open = 0;
+    for (std::int64_t i = 0; i < damages; ++i) {
       damaged(parts, random).write(path);
       const auto scene = opened<SceneFile>(path);
       if (scene == nullptr) continue;
@@ -118,14 +117,15 @@ TEST_F(DamagedFile, AGridThatOpensCanBeTraced) {
   auto random = seed_.engine();
   const TemporaryFolder folder;
   const std::string scene_path = folder.file("scene"), path = folder.file("grid");
+  const std::int64_t damages = cases(500);
   for (const Store store : {Store::float32, Store::float64}) {
     write_scene(tiny_scene(), store, scene_path);
     const SceneFile scene(scene_path);
     for (const Structure& made : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid(), tiny_hierarchy()}) {
       write_structure(made, tiny_grid_provenance(scene.geometry_hash()), path);
       const GridParts parts(path);
-      int open = 0;
-      for (int i = 0; i < damages; ++i) {
+      std::int64_t open = 0;
+      for (std::int64_t i = 0; i < damages; ++i) {
         damaged(parts, random).write(path);
         const auto grid = opened<StructureFile>(path);
         if (grid == nullptr) continue;

@@ -155,7 +155,7 @@ TEST_F(DamagedHierarchy, OfManyNodesIsRefusedOrHarmless) {
   OpenedAndRefused count;
   ASSERT_GT(whole.nodes().size(), 20U);
   const auto numbers = static_cast<std::uint32_t>(whole.nodes().size() + whole.references().size());
-  for (int i = 0; i < 400; ++i) {
+  for (std::int64_t i = cases(400); i > 0; --i) {
     GridParts spoilt = parts;
     SectionBytes& nodes = spoilt.section(StructureSection::nodes);
     for (std::uint64_t changes = 1 + random() % 3; changes > 0; --changes) {
@@ -193,8 +193,8 @@ TEST_F(DamagedHierarchy, OfManyNodesIsRefusedOrHarmless) {
     open_and_trace(spoilt, scene, path, count);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(count.opened, 25);
-  EXPECT_GT(count.refused, 25);
+  EXPECT_GT(count.opened, cases(25));
+  EXPECT_GT(count.refused, cases(25));
 }
 
 } // namespace
