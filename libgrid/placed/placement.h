@@ -140,7 +140,7 @@ MASU_HD inline Triangle<Stored> placed_surface(const Placement<Stored>& placemen
 
 // Of a vector in the world, by the inverse.
 template <class Placed, class Real>
-MASU_HD inline Vec3<Real> carried(const Placed& placement, const Vec3<Real>& v) {
+MASU_ALWAYS_INLINE Vec3<Real> carried(const Placed& placement, const Vec3<Real>& v) {
   const auto along = [&](const auto(&row)[3]) {
     return fma(static_cast<Real>(row[0]), v.x,
                fma(static_cast<Real>(row[1]), v.y, static_cast<Real>(row[2]) * v.z));
@@ -149,7 +149,7 @@ MASU_HD inline Vec3<Real> carried(const Placed& placement, const Vec3<Real>& v) 
 }
 // Of a point.
 template <class Placed, class Real>
-MASU_HD inline Vec3<Real> carried_point(const Placed& placement, const Vec3<Real>& point) {
+MASU_ALWAYS_INLINE Vec3<Real> carried_point(const Placed& placement, const Vec3<Real>& point) {
   return carried(placement, point - cast<Real>(placement.translation()));
 }
 
