@@ -17,11 +17,11 @@
 //   scan(values)                  values[i] becomes the sum of all before it
 //   sums<T>(count, of)            what of(0) … of(i - 1) add up to, for i = 0 … count - 1
 //   value(values, i)              one value, for the host
-//   beside()                      an executor whose passes come after those before, and run beside those
-//   after wait()                        until all passes are done has_warps                     whether its
-//   threads run in step, so that work is better sorted by its kind sorted(count, bits, key_of)   pairs of the
-//   keys key_of(i), of so many bits, and i = 0 … count - 1, in their
-//                                 order; equal keys by i
+//   beside()                      an executor whose passes come after those so far, beside those to come
+//   wait()                        until all passes are done
+//   has_warps                     whether its threads run in step, so that work is better sorted by its kind
+//   sorted(count, bits, key_of)   pairs of the keys key_of(i), of so many bits, and i = 0 … count - 1, in
+//                                 their order; equal keys by i
 //   emit_sorted<Value>(count, bits, max_pairs, emit)
 //                                 all pairs that emit(i, first_row, end_row, add) makes by add(key, value),
 //                                 for all rows 0 … emit.size(i) - 1 of i = 0 … count - 1, one without size():
