@@ -98,7 +98,7 @@ struct MovedTransforms {
     const std::uint64_t move = moves.indices != nullptr ? std::uint64_t{last[i]} : i + 1;
     if (move == 0) return after[i] = before[i];
     const std::uint64_t first = (move - 1) * moves.numbers();
-    Transform transform; // NOLINT(cppcoreguidelines-pro-type-member-init): the loop does it
+    Transform transform{};
     for (unsigned k = 0; k < 12; ++k)
       transform.rows[k / 4][k % 4] =
           moves.floats != nullptr ? double{moves.floats[first + k]} : moves.doubles[first + k];
