@@ -43,25 +43,23 @@ MASU_HD inline std::uint32_t arrived(std::uint32_t& count) {
 }
 
 // Makes a word that many threads lower no greater than the value; or one that they raise no less.
-MASU_HD inline void lower(std::uint32_t& least, std::uint32_t value) {
+template <bool raises>
+MASU_HD inline void bound(std::uint32_t& word, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
-  atomicMin(&least, value);
+  raises ? atomicMax(&word, value) : atomicMin(&word, value);
 #else
-  const std::atomic_ref shared(least);
+  const std::atomic_ref shared(word);
   for (std::uint32_t now = shared.load(std::memory_order_relaxed);
-       value < now && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed);) {
+       (raises ? now < value : value < now) &&
+       !shared.compare_exchange_weak(now, value, std::memory_order_relaxed);) {
   }
 #endif
 }
+MASU_HD inline void lower(std::uint32_t& least, std::uint32_t value) {
+  bound<false>(least, value);
+}
 MASU_HD inline void raise(std::uint32_t& most, std::uint32_t value) {
-#ifdef __CUDA_ARCH__
-  atomicMax(&most, value);
-#else
-  const std::atomic_ref shared(most);
-  for (std::uint32_t now = shared.load(std::memory_order_relaxed);
-       value > now && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed);) {
-  }
-#endif
+  bound<true>(most, value);
 }
 
 // A set of numbers below 32 times so many words: whether i wasn't in it yet; it is from now on.
