@@ -8,6 +8,8 @@
 
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
+
 namespace masu {
 
 // Of ray i's nearest hit what follows from its number; of one through placed meshes placed_rays.h writes it.
@@ -27,9 +29,12 @@ std::uint64_t tests_each(const SceneView<Stored>& scene, const Structure&) {
 template <class Structure>
 inline constexpr bool is_placed = !std::is_same_v<SeenIn<Structure>, Structure>;
 
-// Lists through placed meshes are short, as of a robot's sensor, and shared by cores nevertheless.
+// Lists through placed meshes may be short, as a robot's sensor's are, and are shared by cores nevertheless.
 template <class Structure>
-inline constexpr std::size_t rays_per_task = is_placed<Structure> ? 512 : 4096;
+std::size_t rays_per_task(std::size_t count) {
+  constexpr std::size_t least = 512, most = 4096;
+  return is_placed<Structure> ? std::clamp(count / 64, least, most) : most;
+}
 
 // Traces as many rays from `first` on as can be several at a time; returns the first one left.
 template <Query query, class M, class Stored, class Structure, class C>
@@ -97,7 +102,7 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
     }
     return counts;
   };
-  const tbb::blocked_range<std::size_t> all(0, rays.count, rays_per_task<Structure>);
+  const tbb::blocked_range<std::size_t> all(0, rays.count, rays_per_task<Structure>(rays.count));
   report.counts = all.is_divisible() ? tbb::parallel_reduce(all, Counts{}, trace_some,
                                                             [](Counts a, const Counts& b) { return a += b; })
                                      : trace_some(all, {}); // without what TBB takes for a call of one ray
