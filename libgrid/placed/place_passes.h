@@ -89,10 +89,10 @@ ArrayOf<Executor, std::uint32_t> last_moves(const Executor& executor, const Plac
 
 // Where placements are now.
 struct MovedTransforms {
-  PlacementMoves moves;
-  const std::uint32_t* last; // last_moves()
-  const Transform* before;   // where not all are moved
-  Transform* after;
+  PlacementMoves moves{};
+  const std::uint32_t* last = nullptr; // last_moves()
+  const Transform* before = nullptr;   // where not all are moved
+  Transform* after = nullptr;
 
   MASU_HD Transform operator()(std::uint64_t i) const {
     const std::uint64_t move = moves.indices != nullptr ? std::uint64_t{last[i]} : i + 1;
@@ -121,8 +121,8 @@ template <class Stored>
 struct InvertPlacement {
   PlacedParts<Stored> parts;
   MovedTransforms transforms;
-  Placement<Stored>* placements;
-  std::uint32_t* listed_count; // becomes 0: a launch less than to clear it
+  Placement<Stored>* placements = nullptr;
+  std::uint32_t* listed_count = nullptr; // becomes 0: a launch less than to clear it
 
   MASU_HD PlacedSurvey<Stored> operator()(std::uint64_t i) const {
     if (i == 0) *listed_count = 0;

@@ -33,7 +33,7 @@ template <class Real>
 struct BoxRay {
   Lanes<Real> origin, inverse; // x, y, z, 0
   // Where in a node the planes begin that the ray meets first and last along each axis, in bytes.
-  unsigned near_x, near_y, near_z, far_x, far_y, far_z;
+  unsigned near_x = 0, near_y = 0, near_z = 0, far_x = 0, far_y = 0, far_z = 0;
 
   template <class From>
   MASU_ALWAYS_INLINE BoxRay(const Vec3<From>& from, const Vec3<From>& bounded_inverse)

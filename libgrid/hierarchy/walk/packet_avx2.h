@@ -43,7 +43,7 @@ public:
   MASU_ALWAYS_INLINE PacketWalk( // NOLINT(cppcoreguidelines-pro-type-member-init): the body does it
       const SceneView<Stored>& scene, const Structure& structure, const Rays (&rays)[rows],
       const unsigned (&lanes)[rows], const Vec3<Real>& way)
-      : scene_(scene), structure_(structure), rays_(rays) {
+      : scene_(scene), rays_(rays), structure_(structure) {
     for (int e = 0; e < rows; ++e) {
       t_[e] = Real(-1); // meets no box
       if (lanes[e] == 0) continue;
@@ -198,7 +198,7 @@ private:
     });
     for (int e = 0; e < rows; ++e) {
       while (left[e] != 0) {
-        Vectors<Real, Rays::count> inverse;
+        Vectors<Real, Rays::count> inverse{};
         inverse.set(mesh.rays[e].inverse);
         const Vec3<Real> way = inverse.of(static_cast<std::size_t>(std::countr_zero(left[e])));
         take_alike([&](int row) { return mesh.rays[row].inverse; }, way, left, alike);
@@ -339,13 +339,13 @@ private:
     }
   }
 
-  const SceneView<Stored>& scene_;
-  const Structure structure_;
-  const Placement<Stored>* placement_ = nullptr; // in whose mesh the rays are
-  const Rays (&rays_)[rows];
-  Space world_;
   Number t_[rows];
   __m256i primitive_[rows];
+  Space world_;
+  const SceneView<Stored>& scene_;
+  const Placement<Stored>* placement_ = nullptr; // in whose mesh the rays are
+  const Rays (&rays_)[rows];
+  const Structure structure_;
   unsigned taking_part_ = 0; // a bit for each row
   float farthest_;           // of the nearest hits
 };
