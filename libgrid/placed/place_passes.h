@@ -246,7 +246,7 @@ struct UpperItems {
   PadPlacement<Stored> pad;
   std::uint32_t* arrivals; // become 0 (upper_passes.h)
 
-  // With the margin of bounds that contain what is traced: all that is known of it yet.
+  // With the margin of the placements' boxes, which contain what is traced: its own bounds are found later.
   MASU_HD Boxf box(std::uint32_t item) const {
     const PlacedParts<Stored>& parts = pad.parts;
     const double margin =

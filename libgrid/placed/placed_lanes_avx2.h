@@ -15,8 +15,16 @@ MASU_ALWAYS_INLINE Real select(bool where, Real a, Real b) {
   return where ? a : b;
 }
 
+// An inverse direction, as bounded_inverse() has it.
+template <class Number>
+MASU_ALWAYS_INLINE Vec3<Number> bounded(const Vec3<Number>& inverse) {
+  const Number limit = 0x1p64F;
+  const auto along = [&](Number v) { return min(max(v, -limit), limit); };
+  return {along(inverse.x), along(inverse.y), along(inverse.z)};
+}
+
 // A ray in boxes' space, or several: the origins with which it meets the planes by which it enters and leaves
-// boxes, and its direction's inverse, bounded (bounded_inverse()).
+// boxes, and its direction's inverse, bounded.
 template <class Number>
 struct BoundRay {
   Vec3<Number> entering, leaving, inverse;
@@ -25,10 +33,10 @@ struct BoundRay {
 template <class Number, class Placed>
 MASU_ALWAYS_INLINE BoundRay<Number> carried_ray(const Placed& placement, const Vec3<Number>& origin,
                                                 const Vec3<Number>& direction) {
-  const Number limit = 0x1p64F, outwards = placement.padding;
+  const Number outwards = placement.padding;
   const Vec3<Number> from = carried_point(placement, origin), along = carried(placement, direction);
-  const auto inverted = [&](Number v) { return min(max(finite_inverse(v), -limit), limit); };
-  const Vec3<Number> inverse{inverted(along.x), inverted(along.y), inverted(along.z)};
+  const Vec3<Number> inverse =
+      bounded<Number>({finite_inverse(along.x), finite_inverse(along.y), finite_inverse(along.z)});
   const auto moved = [&](Number v) { return select(v < Number(0), -outwards, outwards); };
   const Vec3<Number> move{moved(inverse.x), moved(inverse.y), moved(inverse.z)};
   return {from + move, from - move, inverse};

@@ -29,7 +29,7 @@ inline constexpr int max_upper_levels = (code_bits + 32 + 2) / 3;
 struct alignas(16) TreeSide {
   Boxf box;
   std::uint32_t content;
-  std::int32_t own_bits;    // that all of its items share; more than there are of one
+  std::int32_t own_bits;    // that all of its items share; of a single one item_bits
   std::uint32_t end;        // its first item on the left side, its last on the right
   std::int32_t beyond_bits; // shared by that item and the one before or after it
 };
@@ -49,7 +49,7 @@ struct UpperArrays {
   std::uint32_t* widths; // of each level, how many nodes
 
   static constexpr std::uint32_t none = ~0U;
-  static constexpr std::int32_t item_bits = 128;
+  static constexpr std::int32_t item_bits = 128; // more than any two share
 
   MASU_HD std::uint64_t group_of(std::uint32_t item) const { return keys[item] >> code_bits; }
   // How many of the highest bits the items before and after a border share; of equal keys numbers decide. -1

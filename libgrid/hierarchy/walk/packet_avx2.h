@@ -49,7 +49,7 @@ public:
       if (lanes[e] == 0) continue;
       taking_part_ |= 1U << e;
       const Vec3<Number> origin = rays[e].origin.all();
-      world_.rays[e] = {origin, origin, inverse(rays[e])};
+      world_.rays[e] = {origin, origin, bounded(rays[e].inverse.all())};
       t_[e] = select(lanes_of<Real>(lanes[e]), rays[e].t_max.all(), t_[e]);
       primitive_[e] = _mm256_setzero_si256(); // wins no tie at t_max
     }
@@ -88,13 +88,6 @@ private:
     std::uint32_t node;
     unsigned rows; // a bit for each whose rays may meet it
   };
-
-  static Vec3<Number> inverse(const Rays& rays) { // bounded_inverse()
-    const Number limit = Real(0x1p64F);
-    const auto bounded = [&](Number v) { return min(max(v, -limit), limit); };
-    const Vec3<Number> v = rays.inverse.all();
-    return {bounded(v.x), bounded(v.y), bounded(v.z)};
-  }
 
   // The rows' rays where boxes are, in the world or in a mesh. In the world origins are the same.
   struct Space {
