@@ -2,6 +2,7 @@
 #include "boundary.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/structure/chosen_structure.h"
+#include "libscene/base/parallel.h"
 #include "libscene/base/printable.h"
 #include "libscene/base/processor.h"
 #include "objects.h"
@@ -10,9 +11,6 @@
 #include "renderer/rays/winding_numbers.h"
 #include "renderer/tracer/placed_tracer.h"
 #include "renderer/tracer/tracer.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <mutex>
 #include <optional>
@@ -535,8 +533,8 @@ masu_status masu_interpolate(const masu_values* values, const uint32_t* primitiv
                           given.indices, given.triangle_count, given.per_face != 0};
     const InterpolatedHits hits{primitive, reinterpret_cast<const float(*)[2]>(uv), interpolated};
     if (place != host_memory) return interpolate_cuda(of, hits, count, place, given.stream);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
+    parallel_ranges(count, 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i)
         for (std::size_t k = 0; k < of.width; ++k)
           hits.results[i * of.width + k] = masu::interpolated(of, hits, i, k);
     });

@@ -1,13 +1,12 @@
 #include "libscene/float32_precision.h"
 
+#include "libscene/base/parallel.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "libscene/scene_bounds.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -33,10 +32,10 @@ __attribute__((flatten)) void gather(const Records& records, std::size_t begin, 
 template <class Part, class Records, class Act>
 Part gathered(const Records& records, const ProgressMonitor* progress, const Act& act) {
   tbb::combinable<Part> parts;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, records.size(), grain), [&](const auto& range) {
+  parallel_ranges(records.size(), grain, [&](std::size_t begin, std::size_t end) {
     Part part;
     check_progress(progress);
-    gather(records, range.begin(), range.end(), part, act);
+    gather(records, begin, end, part, act);
     parts.local() += part;
   });
   Part total;
@@ -183,8 +182,8 @@ std::uint64_t triangles_alone(const Triangles& triangles, const Vec3d& origin, d
     surfaces.connect(a, surfaces.add(corner_of(t.c)));
   }
   std::vector<std::atomic<bool>> marked(surfaces.corner_count());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size(), grain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+  parallel_ranges(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) {
       if (i % grain == 0) check_progress(progress);
       const SceneTriangle t = moved(triangles[i]);
       if (is_small(t)) continue;

@@ -1,15 +1,12 @@
 // The join of the boxes of a scene's primitives.
 #pragma once
 
+#include "libscene/base/parallel.h"
 #include "libscene/geometry/box.h"
 
 #include <cstddef>
-#include <functional>
 
 namespace masu {
-
-// The join of box_of(begin, end) for the ranges that 0 … count - 1 is cut into, in parallel.
-Boxd join_of_ranges(std::size_t count, const std::function<Boxd(std::size_t, std::size_t)>& box_of);
 
 // Of what box_of(record) gives of all records, in parallel; empty where there are none. Where their box is
 // known (MeshTriangles), it is what box_of() gives of that: it keeps the order of coordinates.
@@ -18,12 +15,15 @@ Boxd joined_boxes(const Records& records, const BoxOf& box_of) {
   if constexpr (requires { records.box(); }) {
     return records.size() > 0 ? box_of(records.box()) : empty_box<double>();
   } else {
-    return join_of_ranges(records.size(), [&](std::size_t begin, std::size_t end) {
-      Boxd box = empty_box<double>();
-      for (std::size_t i = begin; i != end; ++i)
-        box = join(box, box_of(records[i]));
-      return box;
-    });
+    return parallel_reduce(
+        records.size(), 256, empty_box<double>(),
+        [&](std::size_t begin, std::size_t end) {
+          Boxd box = empty_box<double>();
+          for (std::size_t i = begin; i != end; ++i)
+            box = join(box, box_of(records[i]));
+          return box;
+        },
+        [](const Boxd& a, const Boxd& b) { return join(a, b); });
   }
 }
 

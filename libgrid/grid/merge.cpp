@@ -1,6 +1,7 @@
 #include "libgrid/grid/merge.h"
 
 #include "libgrid/grid/merge_passes.h"
+#include "libscene/base/parallel.h"
 #include "libscene/passes/host_executor.h"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ Structure build_in_parts(TbbExecutor& executor, const GridLayout& layout, const 
   std::atomic<std::uint64_t> words =
       top_words; // of the parts so far: if too many, the others needn't be built
   const auto too_many = [&] { return exceeded_by_sizes(0, 0, top_words, words, max_words); };
-  tbb::parallel_for(std::size_t{0}, spans.size(), [&](std::size_t i) {
+  parallel_for(spans.size(), [&](std::size_t i) {
     SerialExecutor serial{executor.progress};
     if (too_many() != nullptr) return;
     if (!is_large(i)) {
@@ -134,7 +135,7 @@ Structure build_in_parts(TbbExecutor& executor, const GridLayout& layout, const 
   std::fill(whole.voxel_map.data() + all.size(), whole.voxel_map.data() + top_words, 0U);
   whole.cells.resize(end.cells);
   whole.references.resize(end.references);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+  parallel_for(parts.size(), [&](std::size_t i) {
     copy_part(parts[i], spans[i], begins[i], whole);
     parts[i] = {};
   });

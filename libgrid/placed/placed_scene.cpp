@@ -2,9 +2,9 @@
 
 #include "libgrid/grid/division.h"
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -84,8 +84,7 @@ PlacedOnHost<Stored> made_ready(std::shared_ptr<const PlacedScene> scene,
 Boxd PlacedScene::box(const Vec3d& point) const {
   return meshes->with_view([&]<class Stored>(const SceneView<Stored>& view) {
     std::vector<Box<Stored>> boxes(mesh_triangles.size() - 1);
-    tbb::parallel_for(std::size_t{0}, boxes.size(),
-                      [&](std::size_t i) { boxes[i] = box_of(triangles_of(*this, view, i)); });
+    parallel_for(boxes.size(), [&](std::size_t i) { boxes[i] = box_of(triangles_of(*this, view, i)); });
     Boxd box = empty_box<double>();
     for (std::size_t i = 0; i < mesh.size(); ++i) {
       if (is_empty(boxes[mesh[i]])) continue;

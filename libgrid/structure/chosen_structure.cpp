@@ -5,11 +5,10 @@
 #include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
-#include "libscene/base/whole_work.h"
+#include "libscene/base/parallel.h"
 #include "libscene/mesh/indexed_mesh.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -344,9 +343,7 @@ Structure hierarchy_of(const SceneFile& scene, const MeshTriangles& meshes, cons
                           options);
     });
   };
-  run_whole([&](auto& context) { // the caller's thread, which CUDA knows, takes the last one
-    tbb::parallel_invoke([&] { scene.make_whole(); }, build, context);
-  });
+  parallel_invoke([&] { scene.make_whole(); }, build); // by the caller's thread, which CUDA knows
   return hierarchy;
 }
 

@@ -3,10 +3,9 @@
 #include "libgrid/file/structure_file.h"
 #include "libgrid/structure/unit_costs.h"
 #include "libgrid/trace/trace.h"
+#include "libscene/base/parallel.h"
 #include "libscene/geometry/random_rays.h"
 #include "libscene/geometry/surface.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +97,7 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view, con
   SampledCosts costs;
   while (costs.rays < limits.rays && costs.work <= limits.work) {
     const std::size_t end = std::min(limits.rays, std::max<std::size_t>(16, 2 * costs.rays));
-    tbb::parallel_for(costs.rays, end, trace_one);
+    parallel_for(end - costs.rays, [&](std::size_t i) { trace_one(costs.rays + i); });
     for (std::size_t& i = costs.rays; i != end; ++i) {
       for (const StepCounts& counts : {across[i], aimed[i], scattered[i]})
         costs.work += counts.steps + counts.tests;

@@ -1,7 +1,7 @@
 #include "libscene/cuda/transfer.h"
+#include "libscene/base/parallel.h"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -184,7 +184,7 @@ void Transfer::run() {
     const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     tbb::task_arena arena(std::min(copy_threads, static_cast<int>(allowed)));
     arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+      parallel_for(pieces.size(), [&](std::size_t i) {
         const DeviceScope of_thread(device_);
         make(pieces[i],
              *staging_->of_threads[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())]);
@@ -199,7 +199,7 @@ void Transfer::run() {
 }
 
 void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
-  tbb::parallel_for(std::size_t{0}, (bytes + part_bytes - 1) / part_bytes, [&](std::size_t i) {
+  parallel_for((bytes + part_bytes - 1) / part_bytes, [&](std::size_t i) {
     const std::size_t begin = i * part_bytes;
     std::memcpy(static_cast<std::uint8_t*>(to) + begin, static_cast<const std::uint8_t*>(from) + begin,
                 std::min(part_bytes, bytes - begin));

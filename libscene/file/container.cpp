@@ -1,13 +1,11 @@
 #include "libscene/file/container.h"
 
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "libscene/file/output_file.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 #include <xxhash.h>
 
@@ -43,7 +41,7 @@ template <class Piece>
 Hash hash_of_pieces(std::uint64_t bytes, const Piece& piece) {
   const std::uint64_t pieces = (bytes + piece_bytes - 1) / piece_bytes;
   std::vector<Hash> hashes(pieces);
-  tbb::parallel_for(std::uint64_t{0}, pieces, [&](std::uint64_t i) {
+  parallel_for(pieces, [&](std::uint64_t i) {
     const std::uint64_t begin = i * piece_bytes;
     hashes[i] = hash_of(piece(begin, std::min(piece_bytes, bytes - begin)));
   });
@@ -92,7 +90,7 @@ void write_section(OutputFile& file, const SectionData& section) {
   std::array<std::vector<std::uint8_t>, 4> buffers;
   std::array<std::span<const std::uint8_t>, 4> pieces;
   for (std::uint64_t begin = 0; begin < all; begin += pieces.size() * piece_bytes) {
-    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+    parallel_for(pieces.size(), [&](std::size_t i) {
       const std::uint64_t from = std::min(begin + i * piece_bytes, all);
       pieces[i] = bytes_of(section, from, std::min(piece_bytes, all - from), buffers[i]);
     });
@@ -133,9 +131,9 @@ std::uint64_t for_each_placed(std::span<const SectionData> sections, const Act& 
 // In memory.
 void make_section(const SectionData& section, std::uint8_t* to, const ProgressMonitor* progress) {
   constexpr std::uint64_t grain = std::uint64_t{1} << 14;
-  tbb::parallel_for(tbb::blocked_range(std::uint64_t{0}, section.count, grain), [&](const auto& range) {
+  parallel_ranges(section.count, grain, [&](std::size_t begin, std::size_t end) {
     check_progress(progress);
-    const std::uint64_t each = section.record_bytes, first = range.begin(), count = range.size();
+    const std::uint64_t each = section.record_bytes, first = begin, count = end - begin;
     if (section.convert)
       section.convert(first, count, to + first * each);
     else

@@ -12,23 +12,23 @@
 
 #include "libscene/base/atomic.h"
 #include "libscene/base/host_array.h"
+#include "libscene/base/parallel.h"
 
+#include <atomic>
 #include <cstdint>
-#include <functional>
 
 namespace masu {
-
-// Whether good(begin, end) for every one of the ranges that 0 … count - 1 is cut into, in any order.
-bool all_ranges(std::uint64_t count, const std::function<bool(std::uint64_t, std::uint64_t)>& good);
 
 struct HostChecker {
   template <class Good>
   bool all(std::uint64_t count, const Good& good) const {
-    return all_ranges(count, [&good](std::uint64_t i, std::uint64_t end) {
+    std::atomic<bool> all = true;
+    parallel_ranges(count, 256, [&](std::uint64_t i, std::uint64_t end) {
       while (i != end && good(i))
         ++i;
-      return i == end;
+      if (i != end) all = false;
     });
+    return all;
   }
   HostArray<std::uint32_t> zeros(std::uint64_t count) const { return HostArray<std::uint32_t>(count, 0); }
 };

@@ -2,12 +2,10 @@
 
 #include "libscene/automatic_camera.h"
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "libscene/mesh/points.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cstring>
@@ -89,11 +87,11 @@ Found taken(const IndexedMesh& mesh, const Number* vertices, std::size_t first_v
 template <class Number>
 Found taken(const IndexedMesh& mesh, std::size_t m, const Number* vertices, std::size_t first_vertex,
             std::uint32_t* indices, const ProgressMonitor* progress) {
-  const Found found = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, mesh.triangles, 4096), Found{},
-      [&](const auto& range, const Found& before) {
+  const Found found = parallel_reduce(
+      mesh.triangles, 4096, Found{},
+      [&](std::size_t begin, std::size_t end) {
         check_progress(progress);
-        return join(before, taken(mesh, vertices, first_vertex, indices, range.begin(), range.end()));
+        return taken(mesh, vertices, first_vertex, indices, begin, end);
       },
       [](const Found& a, const Found& b) { return join(a, b); });
   if (found.wrong != Found::none)
@@ -111,11 +109,10 @@ HostArray<Number> joined_numbers(std::span<const IndexedMesh> meshes, std::size_
   Number* to = all.data();
   for (const IndexedMesh& mesh : meshes) {
     const auto copy = [&](const auto* from) {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, 3 * mesh.vertices, std::size_t{1} << 15),
-                        [=](const auto& range) {
-                          std::transform(from + range.begin(), from + range.end(), to + range.begin(),
-                                         [](auto number) { return static_cast<Number>(number); });
-                        });
+      parallel_ranges(3 * mesh.vertices, std::size_t{1} << 15, [=](std::size_t begin, std::size_t end) {
+        std::transform(from + begin, from + end, to + begin,
+                       [](auto number) { return static_cast<Number>(number); });
+      });
     };
     if (mesh.floats != nullptr)
       copy(mesh.floats);

@@ -2,13 +2,10 @@
 #pragma once
 
 #include "libscene/base/host_array.h"
+#include "libscene/base/parallel.h"
 #include "libscene/base/progress_monitor.h"
 #include "libscene/passes/executor.h"
 #include "libscene/passes/thread_group.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <atomic>
@@ -55,18 +52,16 @@ public:
   }
   template <class Part, class Act>
   Array<Part> joined(std::uint64_t count, const Act& act) const {
-    const auto over = [&](std::uint64_t begin, std::uint64_t end, Part part) {
+    const auto of_range = [&](std::uint64_t begin, std::uint64_t end) {
       check_progress(progress);
+      Part part{};
       for (; begin != end; ++begin)
         part = join(part, act(begin));
       return part;
     };
-    if constexpr (!parallel) return Array<Part>(1, over(0, count, Part{}));
-    return Array<Part>(
-        1, tbb::parallel_reduce(
-               tbb::blocked_range<std::uint64_t>(0, count, 512), Part{},
-               [&](const auto& range, const Part& part) { return over(range.begin(), range.end(), part); },
-               [](const Part& a, const Part& b) { return join(a, b); }));
+    if constexpr (!parallel) return Array<Part>(1, of_range(0, count));
+    const auto join_both = [](const Part& a, const Part& b) { return join(a, b); };
+    return Array<Part>(1, parallel_reduce(count, 512, Part{}, of_range, join_both));
   }
   template <class T>
   void scan(Array<T>& values) const {
@@ -88,14 +83,14 @@ public:
       return sum;
     };
     if (chunks > 1) {
-      tbb::parallel_for(std::uint64_t{0}, chunks, [&](std::uint64_t c) {
+      parallel_for(chunks, [&](std::uint64_t c) {
         sums[c] = over(c, [](const T& value, T& sum) { sum = sum + value; });
       });
       T sum{};
       for (T& own : sums)
         own = std::exchange(sum, sum + own);
     }
-    tbb::parallel_for(std::uint64_t{0}, chunks, [&](std::uint64_t c) {
+    parallel_for(chunks, [&](std::uint64_t c) {
       over(c, [](T& value, T& sum) { value = std::exchange(sum, sum + value); });
     });
   }
@@ -152,7 +147,7 @@ public:
         act(chunk.more_keys[i], chunk.more_values[i]);
     };
     std::atomic<std::uint64_t> total = 0;
-    tbb::parallel_for(std::uint64_t{0}, chunks.size(), [&](std::uint64_t c) {
+    parallel_for(chunks.size(), [&](std::uint64_t c) {
       Chunk& chunk = chunks[c];
       const std::uint64_t begin = c * items_per_chunk, end = std::min(count, begin + items_per_chunk);
       for (std::uint64_t i = begin; i != end && chunk.count <= max_pairs; ++i) {
@@ -188,7 +183,7 @@ public:
     }
     auto keys = array<std::uint64_t>(total);
     auto values = array<Value>(total);
-    tbb::parallel_for(std::uint64_t{0}, chunks.size(), [&](std::uint64_t c) {
+    parallel_for(chunks.size(), [&](std::uint64_t c) {
       check_progress(progress);
       for_each_pair(c, [&](std::uint64_t key, const Value& value) {
         const std::uint64_t place = chunks[c].place[key >> bucket_bits]++;
@@ -197,7 +192,7 @@ public:
       });
       chunks[c] = {};
     });
-    tbb::parallel_for(std::uint64_t{0}, buckets, [&](std::uint64_t b) {
+    parallel_for(buckets, [&](std::uint64_t b) {
       if (begin[b] == begin[b + 1]) return;
       check_progress(progress);
       const std::size_t size = begin[b + 1] - begin[b];
@@ -259,12 +254,10 @@ private:
         act(begin, std::min(end, begin + grain));
       }
     };
-    if constexpr (parallel) {
-      tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, grain),
-                        [&](const auto& range) { over(range.begin(), range.end()); });
-    } else {
+    if constexpr (parallel)
+      parallel_ranges(count, grain, std::cref(over));
+    else
       over(0, count);
-    }
   }
 };
 

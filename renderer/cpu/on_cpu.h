@@ -1,13 +1,13 @@
 // What both kinds of queries need on the CPU: the code for a scene and a request, its time and its counts.
 #pragma once
 
+#include "libscene/base/parallel.h"
 #include "libscene/base/stopwatch.h"
 #include "renderer/backend.h"
 #include "renderer/dispatch.h"
 #include "renderer/rays/list_progress.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include <functional>
 
 namespace masu {
 
@@ -24,13 +24,19 @@ double seconds_of(const Act& act) {
   return watch.seconds();
 }
 
+// The sum of count_some(begin, end) over the ranges that 0 … rays - 1 is cut into, in parallel.
+inline Counts counted(std::size_t rays, std::size_t grain,
+                      const std::function<Counts(std::size_t begin, std::size_t end)>& count_some) {
+  return parallel_reduce(rays, grain, Counts{}, count_some, [](Counts a, const Counts& b) { return a += b; });
+}
+
 // Calls act(i) for each of a list whose queries take long, and of so many tests each, on all cores.
 template <class Act>
 void for_each_in_list(const RayList& list, const RaysRequest& request, std::uint64_t tests_each,
                       const Act& act) {
   ListProgress progress(request.progress, list.count, 16, tests_each);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, list.count, 256), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+  parallel_ranges(list.count, 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) {
       progress.done(i);
       act(i);
     }

@@ -18,8 +18,8 @@ using Tile = tbb::blocked_range2d<std::int32_t>;
 
 constexpr std::int32_t task_side = 32; // rays: neighbours share cells in cache
 
-template <class Render>
-void for_each_tile(const FrameRequest& request, const Frame& frame, const Render& render_tile) {
+void for_each_tile(const FrameRequest& request, const Frame& frame,
+                   const std::function<void(const Tile&)>& render_tile) {
   std::atomic<std::size_t> traced = 0;
   const double rays_in_all = static_cast<double>(frame.columns) * frame.rows;
   tbb::parallel_for(Tile(0, frame.rows, task_side, 0, frame.columns, task_side), [&](const Tile& tile) {

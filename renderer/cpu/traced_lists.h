@@ -6,8 +6,6 @@
 #include "renderer/cpu/packet_lists.h"
 #endif
 
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 
 namespace masu {
@@ -84,10 +82,11 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
            const C&) {
   using Real = typename M::Real;
   ListProgress progress(report_progress, rays.count, 256, tests_each(scene, structure));
-  const auto trace_some = [&](const tbb::blocked_range<std::size_t>& range, Counts counts) {
+  const auto trace_some = [&](std::size_t begin, std::size_t end) {
+    Counts counts;
     for (std::size_t i = trace_in_lanes<query, M, Stored, Structure, C>(scene, structure, rays, results,
-                                                                        progress, range.begin(), range.end());
-         i != range.end(); ++i) {
+                                                                        progress, begin, end);
+         i != end; ++i) {
       progress.done(i);
       const ListedRay<Real> ray = listed_ray<Real>(rays.rays, rays.format, i, scene.clip);
       const auto& seen = seen_by(structure, i);
@@ -102,10 +101,7 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
     }
     return counts;
   };
-  const tbb::blocked_range<std::size_t> all(0, rays.count, rays_per_task<Structure>(rays.count));
-  report.counts = all.is_divisible() ? tbb::parallel_reduce(all, Counts{}, trace_some,
-                                                            [](Counts a, const Counts& b) { return a += b; })
-                                     : trace_some(all, {}); // without what TBB takes for a call of one ray
+  report.counts = counted(rays.count, rays_per_task<Structure>(rays.count), std::cref(trace_some));
 }
 
 } // namespace masu

@@ -1,8 +1,7 @@
 #include "renderer/cuda/host_rays.h"
 
+#include "libscene/base/parallel.h"
 #include "renderer/cuda/ray_batch.h"
-
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -192,7 +191,7 @@ void trace_in_pieces(const HostList& list, HostRayBuffers& borrowed, QueryReport
     piece = {first, std::min(piece_rays, rays.count - first)};
     last_turns += piece.count == 0 ? 1 : 0;
     wait(buffers, last);
-    tbb::parallel_invoke([&] { copy_out(buffers, last); }, [&] { copy_in(buffers, piece); });
+    parallel_invoke([&] { copy_out(buffers, last); }, [&] { copy_in(buffers, piece); });
     if (piece.count > 0) begin(buffers, piece);
   }
 }

@@ -1,11 +1,10 @@
 #include "renderer/image/image.h"
 
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "renderer/image/pixel.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <cstring>
 #include <string_view>
@@ -23,11 +22,11 @@ std::vector<std::uint8_t> bytes_of(const Frame& frame, Sampling sampling, std::s
   const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
   std::vector<std::uint8_t> bytes(pixel_bytes * static_cast<std::size_t>(width) *
                                   static_cast<std::size_t>(height));
-  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_per_task), [&](const auto& range) {
+  parallel_ranges(static_cast<std::uint64_t>(height), rows_per_task, [&](std::size_t begin, std::size_t end) {
     std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
-    for (std::int32_t row = range.begin(); row != range.end(); ++row) {
-      image_row(frame, sampling, row, pixels);
-      convert(static_cast<std::size_t>(row), pixels, bytes.data());
+    for (std::size_t row = begin; row != end; ++row) {
+      image_row(frame, sampling, static_cast<std::int32_t>(row), pixels);
+      convert(row, pixels, bytes.data());
     }
   });
   return bytes;

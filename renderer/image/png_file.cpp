@@ -1,10 +1,10 @@
 #include "renderer/image/png_file.h"
 
+#include "libscene/base/parallel.h"
 #include "renderer/image/deflate.h"
 
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
-#include <tbb/parallel_for.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ PngRows encoded_rows(std::span<const std::uint8_t> rgb, std::int32_t width, bool
                     band_rows = static_cast<std::size_t>(png_band_rows(width));
   std::vector<Band> bands((rows + band_rows - 1) / band_rows);
   const auto rows_of = [&](std::size_t band) { return std::min(band_rows, rows - band * band_rows); };
-  tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t i) {
+  parallel_for(bands.size(), [&](std::size_t i) {
     bands[i] = encoded_band(rgb.subspan(i * band_rows * row_bytes, rows_of(i) * row_bytes), row_bytes,
                             last && i + 1 == bands.size());
   });

@@ -1,11 +1,9 @@
 #include "renderer/rays/winding_numbers.h"
 
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "renderer/rays/closest_points.h"
 #include "renderer/rays/list_progress.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace masu {
 
@@ -26,9 +24,9 @@ void winding_numbers(const SceneFile& scene, const StructureFile* hierarchy, con
   ListProgress list_progress(progress, places.count, 16, scene.primitive_count());
   scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
     const auto nodes = hierarchy != nullptr ? hierarchy->hierarchy_view<Stored>() : HierarchyView<Stored>{};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.count, 64), [&](const auto& range) {
+    parallel_ranges(places.count, 64, [&](std::size_t begin, std::size_t end) {
       std::vector<UndividedCluster> room;
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      for (std::size_t i = begin; i != end; ++i) {
         const Vec3d place = place_at(places.rays, places.format, i);
         const bool is_valid = largest_magnitude(place) <= max_closest && is_finite(place);
         const double number =

@@ -1,7 +1,7 @@
 // Builds that their progress ends, at any time.
 #include "libgrid/structure/chosen_structure.h"
+#include "libscene/base/parallel.h"
 #include "libscene/base/stopwatch.h"
-#include "libscene/base/whole_work.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/same_grid.h"
@@ -70,13 +70,10 @@ TYPED_TEST(EndedBuild, ThrowsWhatItsProgressThrowsAndTheNextIsAsEver) {
   }
 }
 
-TEST(WholeWork, ThrowsWherePartOfItIsLeftOut) {
-  const auto done_of = [](int tasks) {
+TEST(ParallelWork, ThrowsWherePartOfItIsLeftOut) {
+  const auto done_of = [](std::size_t tasks) {
     std::atomic<int> done = 0;
-    run_whole([&](auto& context) {
-      tbb::parallel_for(
-          0, tasks, [&](int) { ++done; }, context);
-    });
+    parallel_for(tasks, [&](std::size_t) { ++done; });
     return done.load();
   };
   EXPECT_EQ(done_of(1000), 1000);

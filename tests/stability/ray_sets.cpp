@@ -1,8 +1,7 @@
 #include "stability/ray_sets.h"
 
+#include "libscene/base/parallel.h"
 #include "libscene/geometry/random_rays.h"
-
-#include <tbb/parallel_for.h>
 
 namespace masu {
 namespace {
@@ -14,7 +13,7 @@ void for_each_hit(const SceneFile& file, const SceneView<Stored>& scene, const S
                   std::span<const Ray<double>> rays, const Act& act) {
   const RayHits hits =
       ResidentTracer(file, &grid, Device::cpu).hits(relative(RayList(rays)), {}, HitName::primitive);
-  tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+  parallel_for(rays.size(), [&](std::size_t i) {
     const HitRecord& hit = hits.hits[i];
     if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});
     const Ray<Stored> ray = unbounded_ray(cast<Stored>(rays[i].origin), cast<Stored>(rays[i].direction));
@@ -99,7 +98,7 @@ std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const StructureFil
 std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed) {
   const Sphere<double> sphere = sphere_around(scene.bounds());
   std::vector<Ray<double>> rays(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  parallel_for(count, [&](std::size_t i) {
     RandomSequence random(seed, i);
     rays[i] = scene.is_float64() ? random_ray<double>(sphere, random) : random_ray<float>(sphere, random);
   });
@@ -109,7 +108,7 @@ std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, 
 std::vector<Ray<double>> random_places(const SceneFile& scene, std::size_t count, std::uint64_t seed) {
   const Boxd box = scene.bounds();
   std::vector<Ray<double>> rays(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  parallel_for(count, [&](std::size_t i) {
     RandomSequence random(seed, i);
     Vec3d place = box.min;
     for (int axis = 0; axis < 3; ++axis)

@@ -4,13 +4,12 @@
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/structure/builder.h"
 #include "libgrid/trace/any_structure.h"
+#include "libscene/base/parallel.h"
 #include "renderer/dispatch.h"
 #include "stability/oracle/embree_scene.h"
 #include "stability/oracle/exact_hit.h"
 #include "stability/oracle/judge_surfaces.h"
 #include "stability/same_bits.h"
-
-#include <tbb/parallel_for.h>
 
 namespace masu::stability {
 namespace {
@@ -39,7 +38,7 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Struc
   using M = Method<TestRay, with_all_kinds>;
   std::vector<Found> found(rays.size());
   std::vector<Hit<Real>> first(rays.size());
-  const auto for_each_ray = [&](const auto& act) { tbb::parallel_for(std::size_t{0}, rays.size(), act); };
+  const auto for_each_ray = [&](const auto& act) { parallel_for(rays.size(), act); };
   if (stop == StopRule::first_cell) {
     AnyStructure<Real> any = any_structure<Real>(StructureRecords(grids.front()));
     any.stop = stop;
@@ -271,7 +270,7 @@ std::vector<Found> found_through(const SceneFile& scene, const StructureFile& gr
       [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
         with_method<TestRay, Stored>(grid.records(), rules,
                                      [&]<class M>(const auto& accelerator, M, const auto&) {
-                                       tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+                                       parallel_for(rays.size(), [&](std::size_t i) {
                                          const auto hit = find<M>(view, accelerator, rays[i]);
                                          found[i] = {static_cast<double>(hit.t), hit.primitive, true};
                                        });

@@ -1,8 +1,7 @@
 #include "stability/tally.h"
+#include "libscene/base/parallel.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
@@ -64,9 +63,9 @@ Tally& operator+=(Tally& total, const Tally& part) {
 std::vector<Tally> judged(const oracle::SceneOracle& oracle, std::span<const Ray<double>> rays, double slack,
                           double u, std::span<const std::vector<Found>> methods) {
   tbb::combinable<std::vector<Tally>> parts([&] { return std::vector<Tally>(methods.size()); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_a_task), [&](const auto& range) {
+  parallel_ranges(rays.size(), rays_a_task, [&](std::size_t begin, std::size_t end) {
     std::vector<Tally>& tallies = parts.local();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    for (std::size_t i = begin; i != end; ++i) {
       const oracle::ClosestHit expected = oracle.closest(rays[i], slack);
       for (std::size_t m = 0; m < methods.size(); ++m)
         judge(oracle, rays[i], expected, u, methods[m][i], tallies[m]);

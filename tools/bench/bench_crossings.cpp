@@ -1,10 +1,9 @@
 // Rays through a closed mesh, at its corners, along its edges and in the planes of its faces: each line
 // crosses it as often inwards as outwards.
+#include "libscene/base/parallel.h"
 #include "stability/closed_mesh.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/command.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <vector>
@@ -42,13 +41,12 @@ Crossings count_crossings(const Settings& settings, const ResidentTracer& tracer
     hits.resize(rays.size());
     fronts.resize(rays.size());
     const std::uint64_t first_task = all.rays / rays_per_task;
-    tbb::parallel_for(
-        std::uint64_t{0}, (rays.size() + rays_per_task - 1) / rays_per_task, [&](std::uint64_t task) {
-          Chance chance(RandomSeed(settings.seed * 0x9e3779b97f4a7c15U + first_task + task));
-          const std::size_t end = std::min<std::size_t>((task + 1) * rays_per_task, rays.size());
-          for (std::size_t i = task * rays_per_task; i < end; ++i)
-            rays[i] = crossing_ray<double>(chance, triangles, size);
-        });
+    parallel_for((rays.size() + rays_per_task - 1) / rays_per_task, [&](std::uint64_t task) {
+      Chance chance(RandomSeed(settings.seed * 0x9e3779b97f4a7c15U + first_task + task));
+      const std::size_t end = std::min<std::size_t>((task + 1) * rays_per_task, rays.size());
+      for (std::size_t i = task * rays_per_task; i < end; ++i)
+        rays[i] = crossing_ray<double>(chance, triangles, size);
+    });
     const auto count = [&](Faces faces, std::vector<std::uint32_t>& counts) {
       RaysRequest request;
       request.tracing.precision = settings.precision;

@@ -4,6 +4,7 @@
 // On one thread the rate is by CPU time, on all cores by wall-clock time. Repetitions of all measurements are
 // interleaved at random, so that what disturbs the machine for a while disturbs all alike.
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "stability/oracle/embree_scene.h"
 #include "stability/ray_sets.h"
 #include "tools/bench/command.h"
@@ -11,8 +12,6 @@
 #include "tools/common/repeated.h"
 
 #include <benchmark/benchmark.h>
-
-#include <tbb/parallel_for.h>
 
 #include <deque>
 #include <map>
@@ -93,13 +92,12 @@ std::vector<Contestant> embree_with(const SceneFile& scene) {
   const auto embree = std::make_shared<EmbreeScene>(scene.view<float>(), EmbreeFlags{true, true});
   const auto by = [&](const std::string& name, bool packets) {
     const auto trace = packets ? &EmbreeScene::trace_packets : &EmbreeScene::trace;
-    return Contestant{
-        name, packets, [embree, trace](std::span<const Ray<float>> rays, Hits& hits) {
-          tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 4096), [&](const auto& range) {
-            (*embree.*trace)(rays.subspan(range.begin(), range.size()), hits.t.data() + range.begin(),
-                             hits.primitive.data() + range.begin());
-          });
-        }};
+    return Contestant{name, packets, [embree, trace](std::span<const Ray<float>> rays, Hits& hits) {
+                        parallel_ranges(rays.size(), 4096, [&](std::size_t begin, std::size_t end) {
+                          (*embree.*trace)(rays.subspan(begin, end - begin), hits.t.data() + begin,
+                                           hits.primitive.data() + begin);
+                        });
+                      }};
   };
   return {by(embree_name() + " packets", true), by(embree_name(), false)};
 }

@@ -1,11 +1,11 @@
 #include "tools/lists/hit_file.h"
 
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "tools/common/number_list.h"
 #include "tools/lists/npy.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstring>
@@ -204,7 +204,7 @@ std::vector<std::uint8_t> HitFormat::part(std::vector<std::uint8_t> records, std
   }
   const std::size_t count = records.size() / record_bytes_;
   std::vector<std::vector<std::uint8_t>> texts((count + records_per_task - 1) / records_per_task);
-  tbb::parallel_for(std::size_t{0}, texts.size(), [&](std::size_t task) {
+  parallel_for(texts.size(), [&](std::size_t task) {
     const std::size_t end = std::min(count, (task + 1) * records_per_task);
     for (std::size_t i = task * records_per_task; i < end; ++i) {
       const std::uint8_t* const record = records.data() + i * record_bytes_;

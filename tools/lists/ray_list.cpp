@@ -1,15 +1,13 @@
 #include "tools/lists/ray_list.h"
 
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "libscene/base/stopwatch.h"
 #include "renderer/rays/automatic_loop.h"
 #include "tools/common/progress.h"
 #include "tools/common/repeated.h"
 #include "tools/jobs/run_tasks.h"
 #include "tools/lists/excluded_file.h"
-
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
@@ -61,11 +59,11 @@ struct Chunk {
   // A record for each ray.
   std::vector<std::uint8_t> records(std::size_t record_bytes) const {
     std::vector<std::uint8_t> records(count * record_bytes);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, rays_per_task), [&](const auto& range) {
+    parallel_ranges(count, rays_per_task, [&](std::size_t begin, std::size_t end) {
       std::size_t offset = 0;
       for (const std::vector<std::uint8_t>& array : results) {
         const std::size_t bytes = array.size() / count;
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        for (std::size_t i = begin; i != end; ++i)
           std::memcpy(records.data() + i * record_bytes + offset, array.data() + i * bytes, bytes);
         offset += bytes;
       }
@@ -77,10 +75,11 @@ struct Chunk {
 // In the numbers of the arithmetic that traces them.
 template <class Real>
 std::uint64_t invalid_rays(const RayList& rays) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task), std::uint64_t{0},
-      [&](const auto& range, std::uint64_t sum) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+  return parallel_reduce(
+      rays.count, rays_per_task, std::uint64_t{0},
+      [&](std::size_t begin, std::size_t end) {
+        std::uint64_t sum = 0;
+        for (std::size_t i = begin; i != end; ++i) {
           const Ray<Real> ray = loaded<Real>(rays.rays, rays.format, i);
           sum += is_valid(ray) && !std::isnan(ray.t_min) && !std::isnan(ray.t_max) ? 0 : 1;
         }

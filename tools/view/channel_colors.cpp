@@ -1,10 +1,8 @@
 #include "tools/view/channel_colors.h"
 
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "tools/common/color_map.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -23,8 +21,8 @@ bool counts(Channel channel) {
 template <class ColorOf>
 std::vector<std::uint8_t> colored(std::size_t pixels, const ColorOf& color_of) {
   std::vector<std::uint8_t> bytes(3 * pixels);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 4096), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+  parallel_ranges(pixels, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) {
       const Rgb color = color_of(i);
       std::ranges::copy(color, &bytes[3 * i]);
     }

@@ -3,6 +3,7 @@
 #include "libgrid/statistics/slice.h"
 #include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/plane_cut.h"
 #include "renderer/image/deflate.h"
@@ -16,8 +17,6 @@
 #include "tools/report/slice_json.h"
 #include "tools/report/structure_report.h"
 #include "tools/report/walk_text.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -97,11 +96,11 @@ PictureRows cut(const ResidentTracer& tracer, const SlicePlane& plane, const Fra
   const RayWindow window = window_of(frame);
   const CameraRays<double> lattice = camera_rays<double>(frame.camera, frame.sampling, false, window);
   std::vector<Ray<double>> rays(picture.rays);
-  tbb::parallel_for(0, window.rows, [&](std::int32_t row) {
+  parallel_for(static_cast<std::uint64_t>(window.rows), [&](std::size_t row) {
     for (std::int32_t column = 0; column < window.columns; ++column) {
-      Ray<double>& ray = rays[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) +
-                              static_cast<std::size_t>(column)];
-      ray = camera_ray(lattice, column, row);
+      Ray<double>& ray =
+          rays[row * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column)];
+      ray = camera_ray(lattice, column, static_cast<std::int32_t>(row));
       const double ahead = (plane.position - ray.origin[plane.axis]) / ray.direction[plane.axis];
       ray.t_min = ahead >= 0 ? ahead : ray.t_max;
     }

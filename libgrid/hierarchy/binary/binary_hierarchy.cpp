@@ -4,10 +4,7 @@
 #include "libgrid/hierarchy/binary/node_numbers.h"
 #include "libgrid/hierarchy/binary/parallel_partition.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
-
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/parallel_reduce.h>
+#include "libscene/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -26,8 +23,8 @@ public:
         count_(static_cast<std::uint32_t>(leaves.size())), fragments_(std::move(leaves)),
         room_(static_cast<std::uint32_t>(spare_fragments * static_cast<double>(count_))),
         numbers_(2 * (std::size_t{count_} + room_)), nodes_(numbers_.end()), choices_(nodes_.size()) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count_, 4096), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    parallel_ranges(count_, 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i) {
         BinaryNode& fragment = fragments_[i];
         fragment.count = 0;
         with_primitive(scene_, fragment.index, [&]<class Primitive>(const Primitive& primitive) {
@@ -57,7 +54,7 @@ private:
   // With some for fragments that are added: a range that needs more moves elsewhere.
   static std::size_t places_for(std::uint32_t count) { return std::size_t{count} + count / 4; }
 
-  // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many, joined in any order. It is
+  // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many. It is
   // made in its place: sums are large for small ranges. Two take turns where fragments are not few: those in
   // a row are often in one bin, and each waits for what the one before has written.
   template <class Sum, class Add, class... Of>
@@ -79,19 +76,17 @@ private:
     if (range.count <= fragments_per_task) {
       added(range.begin(), range.end(), sum);
     } else {
-      run_whole([&](auto& context) {
-        sum = tbb::parallel_reduce(
-            tbb::blocked_range<const BinaryNode*>(range.begin(), range.end(), fragments_per_task), sum,
-            [&](const auto& part, Sum so_far) {
-              added(part.begin(), part.end(), so_far);
-              return so_far;
-            },
-            [&](Sum a, const Sum& b) {
-              a.join(b);
-              return a;
-            },
-            context);
-      });
+      sum = parallel_reduce(
+          range.count, fragments_per_task, sum,
+          [&](std::uint64_t begin, std::uint64_t end) {
+            Sum part(of...);
+            added(range.begin() + begin, range.begin() + end, part);
+            return part;
+          },
+          [](Sum a, const Sum& b) {
+            a.join(b);
+            return a;
+          });
     }
     return sum;
   }
@@ -338,10 +333,7 @@ private:
       right_costs = split(left + 1, halves.right, depth + 1, of_thread);
     };
     if (range.count > 1024) {
-      run_whole([&](auto& context) {
-        tbb::parallel_invoke([&] { split_left(numbers_.of_thread()); },
-                             [&] { split_right(numbers_.of_thread()); }, context);
-      });
+      parallel_invoke([&] { split_left(numbers_.of_thread()); }, [&] { split_right(numbers_.of_thread()); });
       give_back(range.first, std::size_t{range.count} + range.places);
     } else {
       split_left(own);

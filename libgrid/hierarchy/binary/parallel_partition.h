@@ -2,10 +2,8 @@
 #pragma once
 
 #include "libgrid/hierarchy/collapse_passes.h"
+#include "libscene/base/parallel.h"
 #include "libscene/base/progress_monitor.h"
-#include "libscene/base/whole_work.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <utility>
@@ -21,11 +19,12 @@ inline std::uint32_t chunks_of(std::uint32_t count) {
 template <class Act>
 void for_each_chunk(std::uint32_t count, const ProgressMonitor* progress, const Act& act) {
   if (count <= leaves_per_chunk) return act(0, 0, count);
-  const auto of_chunk = [&](std::uint32_t chunk) {
+  const auto of_chunk = [&](std::uint64_t chunk64) {
+    const auto chunk = static_cast<std::uint32_t>(chunk64);
     check_progress(progress);
     act(chunk, chunk * leaves_per_chunk, std::min(count, (chunk + 1) * leaves_per_chunk));
   };
-  run_whole([&](auto& context) { tbb::parallel_for(std::uint32_t{0}, chunks_of(count), of_chunk, context); });
+  parallel_for(chunks_of(count), of_chunk);
 }
 
 // What chunks have found, one after the other.

@@ -2,8 +2,7 @@
 
 #include "libgrid/hierarchy/binary/parallel_partition.h"
 #include "libgrid/hierarchy/binary/split_lanes.h"
-
-#include <tbb/parallel_invoke.h>
+#include "libscene/base/parallel.h"
 
 #include <algorithm>
 #include <vector>
@@ -101,7 +100,7 @@ private:
     const auto build_right = [&] { right_costs = build(right, spaces.right, depth + 1, pair + 1); };
     if (range.count > leaves_per_task) {
       check_progress(progress_);
-      run_whole([&](auto& context) { tbb::parallel_invoke(build_left, build_right, context); });
+      parallel_invoke(std::cref(build_left), std::cref(build_right));
       give_back(among_leaves(range.first), range.count);
     } else {
       build_left();

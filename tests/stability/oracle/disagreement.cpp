@@ -1,9 +1,9 @@
 #include "stability/oracle/disagreement.h"
 
+#include "libscene/base/parallel.h"
 #include "stability/oracle/exact_hit.h"
 
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ bool is_among(const std::vector<PrimitiveIndex>& nearest, const Found& found) {
 Disagreement disagreement(std::span<const Triangle<float>> triangles, std::span<const Ray<double>> rays,
                           std::span<const Found> first, std::span<const Found> second) {
   tbb::combinable<Disagreement> parts;
-  tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+  parallel_for(rays.size(), [&](std::size_t i) {
     if (first[i].primitive == second[i].primitive) return;
     const std::vector<PrimitiveIndex> nearest = exact_nearest(triangles, rays[i]);
     const bool first_right = is_among(nearest, first[i]), second_right = is_among(nearest, second[i]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/file/structure_file.h"
+#include "libscene/base/parallel.h"
 #include "libscene/geometry/surface.h"
 #include "renderer/counts.h"
 #include "renderer/dispatch.h"
@@ -10,7 +11,6 @@
 #include "stability/tally.h"
 
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 
 namespace masu::stability {
 
@@ -18,7 +18,7 @@ namespace masu::stability {
 template <class Act>
 Tally tallied(std::size_t rays, const Act& act) {
   tbb::combinable<Tally> parts;
-  tbb::parallel_for(std::size_t{0}, rays, [&](std::size_t i) {
+  parallel_for(rays, [&](std::size_t i) {
     Tally& tally = parts.local();
     ++tally.rays;
     act(i, tally);
