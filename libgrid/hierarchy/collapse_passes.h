@@ -30,6 +30,16 @@ struct alignas(16) BinaryNode {
 };
 static_assert(sizeof(BinaryNode) == 32);
 
+// A node of two others, `left` and the one after it. Two parts of a primitive whose box isn't larger than
+// both of theirs are one part: it is tested once.
+MASU_HD inline BinaryNode node_of(const Boxf& box, std::uint32_t left, const BinaryNode& a,
+                                  const BinaryNode& b) {
+  if (a.count == 1 && b.count == 1 && a.index == b.index &&
+      half_area(box) <= half_area(a.box()) + half_area(b.box()))
+    return {box.min, a.index, box.max, 1};
+  return {box.min, left, box.max, a.count + b.count};
+}
+
 // How a binary node is collapsed where its contents may take up to 2 … 8 boxes of a node: how many of them go
 // to its left, 0 where fewer boxes cost no more, 3 bits each; and whether in one box they are references.
 struct CollapseChoice {
@@ -59,6 +69,7 @@ MASU_HD inline CollapseCosts collapse_costs_of_leaf(const BinaryNode& node) {
 
 MASU_HD inline CollapseCosts collapse_costs(const BinaryNode& node, const CollapseCosts& left,
                                             const CollapseCosts& right) {
+  if (node.count == 1) return collapse_costs_of_leaf(node);
   const float area = half_area(node.box()), as_leaf = node.count <= max_references_per_box
                                                           ? area * static_cast<float>(node.count) * test_cost
                                                           : INFINITY;

@@ -45,7 +45,7 @@ Structure build_hierarchy(const Scene& scene, const GridLayout& layout, Hierarch
                           ProgressMonitor* progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
   TbbExecutor executor{progress};
-  auto leaves = hierarchy_leaves(executor, scene, layout);
+  auto leaves = hierarchy_leaves(executor, scene, layout, quality);
   return collapsed_hierarchy(executor, layout,
                              quality == HierarchyQuality::fast
                                  ? top_down_hierarchy(std::move(leaves), layout.space, progress)

@@ -1,6 +1,6 @@
 // A hierarchy's leaves: primitives along a Morton curve, and triangles divided whose boxes are mostly empty
-// (after Karras & Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", HPG 2013),
-// on whatever executor (executor.h):
+// (after Karras & Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", HPG 2013)
+// or many times as wide as others, on whatever executor (executor.h):
 //
 //   1. divider  how many parts a triangle's empty space is worth, by the size of all boxes
 //   2. emit     leaves of parts, cut at planes that halve the space again and again: neighbours are cut by
@@ -73,6 +73,11 @@ struct MortonCurve {
 // looked at, those are (top_down_passes.h).
 inline constexpr double large_width = 16;
 
+// Wider ones are divided however full their boxes are, as walls are: else all that stands before a wall is in
+// boxes with all of it. Of parts that are side by side in the end one is made again (node_of()). Not where
+// nodes are split in space, too, which divides walls where it pays.
+inline constexpr double most_undivided = 5;
+
 // Cuts of a primitive whose empty space is as wide as all boxes are in the mean.
 inline constexpr double cuts_per_width = 0.7;
 inline constexpr std::uint32_t max_cuts_log2 = 6, max_cuts = (1U << max_cuts_log2) - 1;
@@ -83,23 +88,25 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
   double margin;
   MortonCurve curve;
   double mean_width; // of all boxes
+  double most_full;  // a wider one is divided, too
 
-  // How wide a primitive's box is, and what of it is empty where dividing it would help: nothing for
-  // triangles whose projections along the axes fill a third of their box's sides, as those of compact ones do
-  // and of all along two axes, however they are cut; nor for others.
+  // How wide a primitive's box is, and what of it is empty where dividing it would help: nothing, unless they
+  // are wide, for triangles whose projections along the axes fill a third of their box's sides, as those of
+  // compact ones do and of all along two axes, however they are cut; nor for others.
   MASU_HD static double width(const Boxd& box) {
     const Vec3d side = box.max - box.min;
     return std::sqrt(side.x * (side.y + side.z) + side.y * side.z);
   }
-  MASU_HD static double empty_width(const Triangle<double>& triangle) {
+  MASU_HD double empty_width(const Triangle<double>& triangle) const {
     constexpr double most_filled = 0.3;
     const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
     const double whole = width(bounds(triangle)), area = whole * whole,
                  filled = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
-    return filled > 0 && filled < most_filled * area ? std::sqrt(area - filled) : 0;
+    const bool is_divided = filled < most_filled * area || whole > most_full;
+    return filled > 0 && is_divided ? std::sqrt(area - filled) : 0;
   }
   template <class Primitive>
-  MASU_HD static double empty_width(const Primitive&) {
+  MASU_HD double empty_width(const Primitive&) const {
     return 0;
   }
   // Calls act(box) for each part of a primitive.
@@ -195,11 +202,12 @@ struct EmitParts {
 
 template <class Executor, class Scene>
 ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const Scene& scene,
-                                               const GridLayout& layout) {
+                                               const GridLayout& layout, HierarchyQuality quality) {
   const std::uint64_t primitives = scene.primitive_count();
   const auto sum = joined_in_order<WidthSum>(executor, primitives, WidthOf<Scene>{scene});
-  const Divider<Scene> divider{scene, layout.margin, MortonCurve(layout.space),
-                               static_cast<float>(sum.width / static_cast<double>(sum.count))};
+  const double mean_width = static_cast<float>(sum.width / static_cast<double>(sum.count));
+  const Divider<Scene> divider{scene, layout.margin, MortonCurve(layout.space), mean_width,
+                               quality == HierarchyQuality::fast ? most_undivided * mean_width : INFINITY};
   auto sorted = executor.template emit_sorted<BinaryNode>(primitives, 3 * MortonCurve::bits_per_axis + 1,
                                                           max_numbered, EmitParts<Scene>{divider});
   return std::move(sorted->values);

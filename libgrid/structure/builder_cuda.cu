@@ -61,7 +61,7 @@ auto on_gpu(int gpu, const ProgressMonitor* progress, const Act& act) {
 template <class Stored>
 ExecutorStructure<CudaExecutor> hierarchy(CudaExecutor& executor, const SceneView<Stored>& scene,
                                           const GridLayout& layout, HierarchyQuality quality) {
-  auto leaves = hierarchy_leaves(executor, scene, layout);
+  auto leaves = hierarchy_leaves(executor, scene, layout, quality);
   return collapsed_hierarchy(
       executor, layout,
       quality == HierarchyQuality::fast

@@ -102,6 +102,36 @@ TYPED_TEST_P(BuilderComparison, AHierarchyIsTheSameBytes) {
   }
 }
 
+// Things in a room, whose walls are divided; of parts that are side by side one is made again.
+TYPED_TEST_P(BuilderComparison, AHierarchyOfARoomIsTheSameBytes) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  StructureOptions options{StructureKind::hierarchy};
+  for (std::int64_t s = cases(10); s > 0 && !this->HasFailure(); --s) {
+    TestScene<Stored> scene;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3d along{}, across{};
+      along.set((axis + 1) % 3, 2);
+      across.set((axis + 2) % 3, 2);
+      const Vec3d at{-1, -1, -1}, opposite{1, 1, 1};
+      scene.triangles.push_back(
+          triangle_of(cast<Stored>(at), cast<Stored>(at + along), cast<Stored>(at + across)));
+      scene.triangles.push_back(triangle_of(cast<Stored>(opposite), cast<Stored>(opposite - along),
+                                            cast<Stored>(opposite - across)));
+    }
+    const double size = chance.power_of_two(-8, -4);
+    for (int i = chance.whole(1, TypeParam::many); i > 0; --i) {
+      const Vec3d at = chance.in_cube(1);
+      scene.triangles.push_back(triangle_of(cast<Stored>(at), cast<Stored>(at + chance.in_cube(size)),
+                                            cast<Stored>(at + chance.in_cube(size))));
+    }
+    for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+      options.quality = quality;
+      this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
+    }
+  }
+}
+
 // So many that builders give memory back meanwhile.
 TYPED_TEST_P(BuilderComparison, AHierarchyOfMuchIsTheSameBytes) {
   auto scene = scattered_scene<typename TypeParam::Stored>(this->chance_, 150000);
@@ -162,8 +192,8 @@ TYPED_TEST_P(BuilderComparison, AGridOfNothingIsTheSameBytes) {
 
 REGISTER_TYPED_TEST_SUITE_P(BuilderComparison, AUniformGridIsTheSameBytes, AUniformGridOfBlocksIsTheSameBytes,
                             AMergedGridIsTheSameBytes, AMergedGridOfManyPartsIsTheSameBytes,
-                            AHierarchyIsTheSameBytes, AHierarchyOfMuchIsTheSameBytes,
-                            AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes,
+                            AHierarchyIsTheSameBytes, AHierarchyOfARoomIsTheSameBytes,
+                            AHierarchyOfMuchIsTheSameBytes, AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes,
                             ARefittedHierarchyIsTheSameBytes, AGridOfNothingIsTheSameBytes);
 
 } // namespace masu

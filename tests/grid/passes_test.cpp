@@ -26,7 +26,7 @@ public:
       return uniform_grid(executor_, scene_, layout, overlap, options.max_references, options.max_map_words);
     if (options.kind != StructureKind::hierarchy)
       return merged_grid(executor_, scene_, layout, overlap, options);
-    auto leaves = hierarchy_leaves(executor_, scene_, layout);
+    auto leaves = hierarchy_leaves(executor_, scene_, layout, options.quality);
     return collapsed_hierarchy(
         executor_, layout,
         options.quality == HierarchyQuality::fast

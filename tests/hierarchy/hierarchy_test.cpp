@@ -1,5 +1,6 @@
 // What lets a hierarchy's results be those of trying every primitive (walk_test.cpp): boxes contain what they
 // hold, on every way of computing them, and are found to be met.
+#include "libgrid/hierarchy/collapse_passes.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/node_boxes.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
@@ -14,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace masu {
@@ -51,6 +53,7 @@ std::vector<std::vector<Boxd>> boxes_of_primitives(const Structure& grid, std::u
   return boxes;
 }
 
+using Hierarchies = RandomTest;
 template <class Stored>
 class BuiltHierarchy : public RandomTest {};
 TYPED_TEST_SUITE(BuiltHierarchy, Reals);
@@ -83,7 +86,7 @@ TYPED_TEST(BuiltHierarchy, HoldsEveryPartOfEveryPrimitiveWithItsMargin) {
   }
 }
 
-TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTrianglesAlone) {
+TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTrianglesAndWalls) {
   Chance& chance = this->chance_;
   TestScene<TypeParam> scene;
   const auto add = [&](const Vec3d& at, const Vec3d& along, const Vec3d& across) {
@@ -93,19 +96,39 @@ TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTrianglesAlone) {
   for (int i = 0; i < 2000; ++i)
     add(chance.in_cube(1), chance.in_cube(0.01), chance.in_cube(0.01));
   for (int i = 0; i < 30; ++i) // larger, but along two axes
-    add(chance.in_cube(1), {chance.uniform(2, 4), 0, 0}, {0, chance.uniform(2, 4), 0});
-  EXPECT_EQ(hierarchy_of(scene, HierarchyQuality::fast).references.size(), scene.count());
-  const PrimitiveIndex slanted = scene.count();
+    add(chance.in_cube(1), {chance.uniform(0.01, 0.02), 0, 0}, {0, chance.uniform(0.01, 0.02), 0});
+  const PrimitiveIndex large = scene.count();
   for (int i = 0; i < 10; ++i)
     add(chance.in_cube(1), {0.7, 0.6, 0.5}, chance.in_cube(0.01));
-  const Structure grid = hierarchy_of(scene, HierarchyQuality::fast);
+  for (int i = 0; i < 10; ++i)
+    add(chance.in_cube(1), {chance.uniform(1, 2), 0, 0}, {0, chance.uniform(1, 2), 0});
+  const Structure hierarchy = hierarchy_of(scene, HierarchyQuality::fast);
   std::vector<std::uint32_t> parts(scene.count(), 0);
-  for (const PrimitiveIndex reference : grid.references)
+  for (const PrimitiveIndex reference : hierarchy.references)
     ++parts.at(reference);
-  EXPECT_GT(std::ranges::max(parts), 1U);
-  for (PrimitiveIndex i = 0; i < slanted; ++i)
-    EXPECT_EQ(parts[i], 1U) << i;
-  EXPECT_LE(grid.references.size(), 1.71 * scene.count());
+  for (PrimitiveIndex i = 2000; i < scene.count(); ++i)
+    EXPECT_EQ(parts[i] > 1, i >= large) << i;
+  EXPECT_LE(hierarchy.references.size(), 1.71 * scene.count());
+}
+
+TEST_F(Hierarchies, PartsOfAPrimitiveThatLieSideBySideAreOne) {
+  for (std::int64_t i = cases(1000); i > 0; --i) {
+    const auto length = [&] { return static_cast<float>(chance_.uniform(0.1, 10)); };
+    // Flat along an axis, beside each other along another one; or in a line through space.
+    const Vec3f corner = cast<float>(chance_.in_cube(10));
+    Vec3f to_middle{length(), length(), length()}, across{};
+    const auto axis = static_cast<int>(chance_.index(3)), along = (axis + 1) % 3;
+    to_middle.set(axis, 0.01F);
+    across.set(along, to_middle[along]);
+    const BinaryNode a{corner, 7, corner + to_middle, 1}, beside{corner + across, 7, a.max + across, 1},
+        above{a.max, 7, a.max + to_middle, 1}, other{beside.min, 8, beside.max, 1};
+    const auto node = [&](const BinaryNode& b) { return node_of(join(a.box(), b.box()), 40, a, b); };
+    EXPECT_EQ(node(beside).count, 1U);
+    EXPECT_EQ(node(beside).index, 7U);
+    EXPECT_EQ(node(above).count, 2U);
+    EXPECT_EQ(node(other).count, 2U);
+    EXPECT_EQ(node(other).index, 40U);
+  }
 }
 
 TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpened) {
@@ -301,7 +324,7 @@ TYPED_TEST(BuiltHierarchy, BoxesMetAreTheSameOneByOne) {
   EXPECT_GT(missed, cases(1000));
 }
 
-TEST(Hierarchies, OfMorePrimitivesThanThereIsMemoryOrNumbersForAreRefused) {
+TEST_F(Hierarchies, OfMorePrimitivesThanThereIsMemoryOrNumbersForAreRefused) {
   const auto refused = [](std::uint64_t primitives, double available, const char* says) {
     return is_refused_with(
         ErrorCode::usage, "structure", [&] { check_hierarchy(primitives, available); }, says);

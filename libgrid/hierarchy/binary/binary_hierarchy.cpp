@@ -342,8 +342,7 @@ private:
         (*progress_)(
             std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
     }
-    node = {box.min, left, box.max,
-            nodes_[left].count + nodes_[left + 1].count}; // with what was divided below
+    node = node_of(box, left, nodes_[left], nodes_[left + 1]);
     return with_choice(number, collapse_costs(node, left_costs, right_costs));
   }
 

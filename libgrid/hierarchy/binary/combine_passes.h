@@ -44,8 +44,7 @@ void combine(Executor& executor, std::vector<Level> levels, BinaryHierarchy<Exec
         const std::uint32_t child = own.first_child(i),
                             pair = static_cast<std::uint32_t>(own.pair(i, first_below));
         const BinaryNode &left = nodes[pair], &right = nodes[pair + 1];
-        const Boxf box = own.box(i, left, right);
-        node = {box.min, pair, box.max, left.count + right.count};
+        node = node_of(own.box(i, left, right), pair, left, right);
         costs[i] = collapse_costs(node, below[child], below[child + 1]);
       }
       choices[number] = costs[i].choice;

@@ -160,8 +160,8 @@ private:
       scratch.costs[own] = collapse_costs_of_leaf(node);
     } else {
       const std::uint32_t pair = 2 * (whole.first + scratch.nodes[child].count);
-      const Boxf box = join(nodes[pair].box(), nodes[pair + 1].box());
-      node = {box.min, pair, box.max, count};
+      const BinaryNode &left = nodes[pair], &right = nodes[pair + 1];
+      node = node_of(join(left.box(), right.box()), pair, left, right);
       scratch.costs[own] = collapse_costs(node, scratch.costs[child], scratch.costs[child + 1]);
     }
     nodes[whole.number()] = node;

@@ -106,8 +106,8 @@ private:
       build_left();
       build_right();
     }
-    const Boxf box = join(nodes_[pair].box(), nodes_[pair + 1].box());
-    node = {box.min, pair, box.max, range.count};
+    const BinaryNode &first = nodes_[pair], &last = nodes_[pair + 1];
+    node = node_of(join(first.box(), last.box()), pair, first, last);
     return with_choice(number, collapse_costs(node, left_costs, right_costs));
   }
 
