@@ -35,6 +35,7 @@ void parallel_for(std::uint64_t count, const Act& act) {
 // threads where join() is associative.
 template <class Part, class Of, class Join>
 Part parallel_reduce(std::uint64_t count, std::uint64_t grain, Part first, const Of& of, const Join& join) {
+  if (count <= grain) return count == 0 ? first : join(first, of(0, count)); // as for one ray: without a list
   std::mutex mutex;
   std::vector<std::pair<std::uint64_t, Part>> parts; // and where each begins
   const auto add = [&](std::uint64_t begin, std::uint64_t end) {

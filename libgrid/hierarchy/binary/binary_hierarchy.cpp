@@ -54,9 +54,9 @@ private:
   // With some for fragments that are added: a range that needs more moves elsewhere.
   static std::size_t places_for(std::uint32_t count) { return std::size_t{count} + count / 4; }
 
-  // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many. It is
-  // made in its place: sums are large for small ranges. Two take turns where fragments are not few: those in
-  // a row are often in one bin, and each waits for what the one before has written.
+  // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many. It is made in its place: sums
+  // are large for small ranges. Two take turns where fragments are not few: those in a row are often in one
+  // bin, and each waits for what the one before has written.
   template <class Sum, class Add, class... Of>
   Sum summed(const FragmentRange& range, const Add& add, Of... of) const {
     Sum sum(of...);

@@ -19,12 +19,11 @@ inline std::uint32_t chunks_of(std::uint32_t count) {
 template <class Act>
 void for_each_chunk(std::uint32_t count, const ProgressMonitor* progress, const Act& act) {
   if (count <= leaves_per_chunk) return act(0, 0, count);
-  const auto of_chunk = [&](std::uint64_t chunk64) {
-    const auto chunk = static_cast<std::uint32_t>(chunk64);
+  parallel_for(chunks_of(count), [&](std::uint64_t i) {
     check_progress(progress);
+    const auto chunk = static_cast<std::uint32_t>(i);
     act(chunk, chunk * leaves_per_chunk, std::min(count, (chunk + 1) * leaves_per_chunk));
-  };
-  parallel_for(chunks_of(count), of_chunk);
+  });
 }
 
 // What chunks have found, one after the other.

@@ -5,6 +5,7 @@
 #include "libscene/base/parallel.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace masu {
