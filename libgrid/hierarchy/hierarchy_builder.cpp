@@ -13,7 +13,7 @@
 
 namespace masu {
 
-static_assert(cuts_per_width <= spare_leaves);
+static_assert(cuts_per_width <= spare_leaves && 2 * (1 + spare_parts) <= 1 + spare_fragments);
 
 void check_hierarchy(std::uint64_t primitives, double available) {
   const auto fail = [](const std::string& what) {
@@ -45,11 +45,18 @@ Structure build_hierarchy(const Scene& scene, const GridLayout& layout, Hierarch
                           ProgressMonitor* progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
   TbbExecutor executor{progress};
-  auto leaves = hierarchy_leaves(executor, scene, layout, quality);
+  auto made = hierarchy_leaves(executor, scene, layout);
+  const auto triangle = [&](PrimitiveIndex index) {
+    Triangle<double> found{};
+    with_primitive(scene, index, [&]<class Primitive>(const Primitive& primitive) {
+      if constexpr (std::is_same_v<Primitive, Triangle<double>>) found = primitive;
+    });
+    return found;
+  };
   return collapsed_hierarchy(executor, layout,
                              quality == HierarchyQuality::fast
-                                 ? top_down_hierarchy(std::move(leaves), layout.space, progress)
-                                 : binary_hierarchy(scene, layout.margin, std::move(leaves), progress));
+                                 ? top_down_hierarchy(std::move(made), triangle, layout.space, progress)
+                                 : binary_hierarchy(scene, layout.margin, std::move(made.leaves), progress));
 }
 template Structure build_hierarchy(const SceneView<float>&, const GridLayout&, HierarchyQuality,
                                    ProgressMonitor*);

@@ -1,6 +1,6 @@
 // A hierarchy's leaves: primitives along a Morton curve, and triangles divided whose boxes are mostly empty
-// (after Karras & Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", HPG 2013)
-// or many times as wide as others, on whatever executor (executor.h):
+// (after Karras & Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", HPG 2013),
+// on whatever executor (executor.h):
 //
 //   1. divider  how many parts a triangle's empty space is worth, by the size of all boxes
 //   2. emit     leaves of parts, cut at planes that halve the space again and again: neighbours are cut by
@@ -10,7 +10,7 @@
 #pragma once
 
 #include "libgrid/grid/overlap/clipped_bounds.h"
-#include "libgrid/hierarchy/collapse_passes.h"
+#include "libgrid/hierarchy/binary/large_leaves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,12 +71,7 @@ struct MortonCurve {
 
 // Leaves so many times as wide as all boxes are in the mean come first, wherever they are: where not all are
 // looked at, those are (top_down_passes.h).
-inline constexpr double large_width = 16;
-
-// Wider ones are divided however full their boxes are, as walls are: else all that stands before a wall is in
-// boxes with all of it. Of parts that are side by side in the end one is made again (node_of()). Not where
-// nodes are split in space, too, which divides walls where it pays.
-inline constexpr double most_undivided = 5;
+inline constexpr double largest_width = 16;
 
 // Cuts of a primitive whose empty space is as wide as all boxes are in the mean.
 inline constexpr double cuts_per_width = 0.7;
@@ -88,22 +83,21 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
   double margin;
   MortonCurve curve;
   double mean_width; // of all boxes
-  double most_full;  // a wider one is divided, too
 
-  // How wide a primitive's box is, and what of it is empty where dividing it would help: nothing, unless they
-  // are wide, for triangles whose projections along the axes fill a third of their box's sides, as those of
-  // compact ones do and of all along two axes, however they are cut; nor for others.
-  MASU_HD static double width(const Boxd& box) {
+  // Half of a box's surface.
+  MASU_HD static double area(const Boxd& box) {
     const Vec3d side = box.max - box.min;
-    return std::sqrt(side.x * (side.y + side.z) + side.y * side.z);
+    return side.x * (side.y + side.z) + side.y * side.z;
   }
+  // How wide what is empty of a primitive's box is where dividing it would help: nothing for triangles whose
+  // projections along the axes fill a third of their box's sides, as those of compact ones do and of all
+  // along two axes, however they are cut; nor for others.
   MASU_HD double empty_width(const Triangle<double>& triangle) const {
     constexpr double most_filled = 0.3;
     const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-    const double whole = width(bounds(triangle)), area = whole * whole,
+    const double whole = area(bounds(triangle)),
                  filled = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
-    const bool is_divided = filled < most_filled * area || whole > most_full;
-    return filled > 0 && is_divided ? std::sqrt(area - filled) : 0;
+    return filled > 0 && filled < most_filled * whole ? std::sqrt(whole - filled) : 0;
   }
   template <class Primitive>
   MASU_HD double empty_width(const Primitive&) const {
@@ -163,11 +157,11 @@ private:
 
 // Of boxes of primitives that have a surface.
 struct WidthSum {
-  double width = 0;
+  double width = 0, area = 0;
   std::uint64_t count = 0;
 };
 MASU_HD inline WidthSum join(const WidthSum& a, const WidthSum& b) {
-  return {a.width + b.width, a.count + b.count};
+  return {a.width + b.width, a.area + b.area, a.count + b.count};
 }
 template <class Scene>
 struct WidthOf {
@@ -175,7 +169,8 @@ struct WidthOf {
   MASU_HD WidthSum operator()(std::uint64_t i) const {
     WidthSum sum;
     with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
-      if (has_surface(primitive)) sum = {Divider<Scene>::width(bounds(primitive)), 1};
+      const double area = Divider<Scene>::area(bounds(primitive));
+      if (has_surface(primitive)) sum = {std::sqrt(area), area, 1};
     });
     return sum;
   }
@@ -192,7 +187,8 @@ struct EmitParts {
     with_primitive(divider.scene, index, [&](const auto& primitive) {
       if (!has_surface(primitive)) return;
       divider.for_each_part(primitive, [&](const Boxf& box) {
-        const std::uint64_t is_small = divider.width(cast<double>(box)) < large_width * divider.mean_width;
+        const std::uint64_t is_small =
+            std::sqrt(divider.area(cast<double>(box))) < largest_width * divider.mean_width;
         add(is_small << 3 * MortonCurve::bits_per_axis | divider.curve.code(box),
             BinaryNode{box.min, index, box.max, 1});
       });
@@ -201,16 +197,20 @@ struct EmitParts {
 };
 
 template <class Executor, class Scene>
-ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const Scene& scene,
-                                               const GridLayout& layout, HierarchyQuality quality) {
+HierarchyLeaves<Executor> hierarchy_leaves(Executor& executor, const Scene& scene, const GridLayout& layout) {
   const std::uint64_t primitives = scene.primitive_count();
   const auto sum = joined_in_order<WidthSum>(executor, primitives, WidthOf<Scene>{scene});
   const double mean_width = static_cast<float>(sum.width / static_cast<double>(sum.count));
-  const Divider<Scene> divider{scene, layout.margin, MortonCurve(layout.space), mean_width,
-                               quality == HierarchyQuality::fast ? most_undivided * mean_width : INFINITY};
+  const Divider<Scene> divider{scene, layout.margin, MortonCurve(layout.space), mean_width};
   auto sorted = executor.template emit_sorted<BinaryNode>(primitives, 3 * MortonCurve::bits_per_axis + 1,
                                                           max_numbered, EmitParts<Scene>{divider});
-  return std::move(sorted->values);
+  HierarchyLeaves<Executor> made{std::move(sorted->values)};
+  if (sum.area > least_spread * mean_width * sum.width) {
+    const double width = large_width * mean_width;
+    made.large = {layout.margin, static_cast<float>(width * width), triangle_count(scene),
+                  static_cast<std::uint32_t>(spare_parts * static_cast<double>(made.leaves.size()))};
+  }
+  return made;
 }
 
 } // namespace masu

@@ -61,12 +61,12 @@ auto on_gpu(int gpu, const ProgressMonitor* progress, const Act& act) {
 template <class Stored>
 ExecutorStructure<CudaExecutor> hierarchy(CudaExecutor& executor, const SceneView<Stored>& scene,
                                           const GridLayout& layout, HierarchyQuality quality) {
-  auto leaves = hierarchy_leaves(executor, scene, layout, quality);
+  auto made = hierarchy_leaves(executor, scene, layout);
   return collapsed_hierarchy(
       executor, layout,
       quality == HierarchyQuality::fast
-          ? top_down_hierarchy(executor, leaves, layout.space)
-          : spatial_split_hierarchy(executor, scene, layout.margin, std::move(leaves)));
+          ? top_down_hierarchy(executor, std::move(made), triangles_of(scene), layout.space)
+          : spatial_split_hierarchy(executor, scene, layout.margin, std::move(made.leaves)));
 }
 
 template <class Stored>

@@ -15,6 +15,10 @@ struct MeshesView {
 };
 
 // As of a SceneView.
+template <class Stored, class Number>
+std::uint32_t triangle_count(const MeshesView<Stored, Number>& scene) {
+  return scene.others.triangle_count;
+}
 template <class Stored, class Number, class Act>
 void with_primitive(const MeshesView<Stored, Number>& scene, PrimitiveIndex index, const Act& act) {
   if (index < scene.others.triangle_count)

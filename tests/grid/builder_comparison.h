@@ -102,7 +102,19 @@ TYPED_TEST_P(BuilderComparison, AHierarchyIsTheSameBytes) {
   }
 }
 
-// Things in a room, whose walls are divided; of parts that are side by side one is made again.
+// Of sizes between two powers of 2.
+template <class Stored>
+void add_triangles(Chance& chance, TestScene<Stored>& scene, int count, int least, int most) {
+  for (; count > 0; --count) {
+    const Vec3d at = chance.in_cube(1);
+    const double size = chance.power_of_two(least, most);
+    scene.triangles.push_back(triangle_of(cast<Stored>(at), cast<Stored>(at + chance.in_cube(size)),
+                                          cast<Stored>(at + chance.in_cube(size))));
+  }
+}
+
+// Things in a room, small or of all sizes, which are divided where they are large, as its walls are; of parts
+// that are side by side one is made again.
 TYPED_TEST_P(BuilderComparison, AHierarchyOfARoomIsTheSameBytes) {
   using Stored = typename TypeParam::Stored;
   Chance& chance = this->chance_;
@@ -119,12 +131,8 @@ TYPED_TEST_P(BuilderComparison, AHierarchyOfARoomIsTheSameBytes) {
       scene.triangles.push_back(triangle_of(cast<Stored>(opposite), cast<Stored>(opposite - along),
                                             cast<Stored>(opposite - across)));
     }
-    const double size = chance.power_of_two(-8, -4);
-    for (int i = chance.whole(1, TypeParam::many); i > 0; --i) {
-      const Vec3d at = chance.in_cube(1);
-      scene.triangles.push_back(triangle_of(cast<Stored>(at), cast<Stored>(at + chance.in_cube(size)),
-                                            cast<Stored>(at + chance.in_cube(size))));
-    }
+    const int size = chance.whole(-8, -4);
+    add_triangles(chance, scene, chance.whole(1, chance.one_of({300, TypeParam::many})), size, chance.one_in(2) ? size : 0);
     for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
       options.quality = quality;
       this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
@@ -132,9 +140,15 @@ TYPED_TEST_P(BuilderComparison, AHierarchyOfARoomIsTheSameBytes) {
   }
 }
 
-// So many that builders give memory back meanwhile.
+// So many that all cores split them, and builders give memory back meanwhile.
 TYPED_TEST_P(BuilderComparison, AHierarchyOfMuchIsTheSameBytes) {
-  auto scene = scattered_scene<typename TypeParam::Stored>(this->chance_, 150000);
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  TestScene<Stored> scene;
+  if (chance.one_in(2))
+    scene = scattered_scene<Stored>(chance, 150000);
+  else
+    add_triangles(chance, scene, chance.whole(1, 150000), -12, 0);
   StructureOptions options{StructureKind::hierarchy};
   for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
     options.quality = quality;

@@ -26,12 +26,12 @@ public:
       return uniform_grid(executor_, scene_, layout, overlap, options.max_references, options.max_map_words);
     if (options.kind != StructureKind::hierarchy)
       return merged_grid(executor_, scene_, layout, overlap, options);
-    auto leaves = hierarchy_leaves(executor_, scene_, layout, options.quality);
+    auto made = hierarchy_leaves(executor_, scene_, layout);
     return collapsed_hierarchy(
         executor_, layout,
         options.quality == HierarchyQuality::fast
-            ? top_down_hierarchy(executor_, std::move(leaves), layout.space)
-            : spatial_split_hierarchy(executor_, scene_, layout.margin, std::move(leaves)));
+            ? top_down_hierarchy(executor_, std::move(made), triangles_of(scene_), layout.space)
+            : spatial_split_hierarchy(executor_, scene_, layout.margin, std::move(made.leaves)));
   }
   bool refit(const GridLayout& layout, Structure& hierarchy) override {
     if (!holds_all(executor_, scene_, hierarchy.references)) return false;

@@ -1,6 +1,6 @@
 // What lets a hierarchy's results be those of trying every primitive (walk_test.cpp): boxes contain what they
 // hold, on every way of computing them, and are found to be met.
-#include "libgrid/hierarchy/collapse_passes.h"
+#include "libgrid/hierarchy/binary/large_leaves.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/node_boxes.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
@@ -86,7 +86,14 @@ TYPED_TEST(BuiltHierarchy, HoldsEveryPartOfEveryPrimitiveWithItsMargin) {
   }
 }
 
-TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTrianglesAndWalls) {
+std::vector<std::uint32_t> parts_of_primitives(const Structure& hierarchy, std::size_t count) {
+  std::vector<std::uint32_t> parts(count, 0);
+  for (const PrimitiveIndex reference : hierarchy.references)
+    ++parts.at(reference);
+  return parts;
+}
+
+TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTriangles) {
   Chance& chance = this->chance_;
   TestScene<TypeParam> scene;
   const auto add = [&](const Vec3d& at, const Vec3d& along, const Vec3d& across) {
@@ -95,20 +102,38 @@ TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTrianglesAndWalls) {
   };
   for (int i = 0; i < 2000; ++i)
     add(chance.in_cube(1), chance.in_cube(0.01), chance.in_cube(0.01));
-  for (int i = 0; i < 30; ++i) // larger, but along two axes
-    add(chance.in_cube(1), {chance.uniform(0.01, 0.02), 0, 0}, {0, chance.uniform(0.01, 0.02), 0});
-  const PrimitiveIndex large = scene.count();
   for (int i = 0; i < 10; ++i)
     add(chance.in_cube(1), {0.7, 0.6, 0.5}, chance.in_cube(0.01));
-  for (int i = 0; i < 10; ++i)
-    add(chance.in_cube(1), {chance.uniform(1, 2), 0, 0}, {0, chance.uniform(1, 2), 0});
-  const Structure hierarchy = hierarchy_of(scene, HierarchyQuality::fast);
-  std::vector<std::uint32_t> parts(scene.count(), 0);
-  for (const PrimitiveIndex reference : hierarchy.references)
-    ++parts.at(reference);
+  const auto parts = parts_of_primitives(hierarchy_of(scene, HierarchyQuality::fast), scene.count());
   for (PrimitiveIndex i = 2000; i < scene.count(); ++i)
-    EXPECT_EQ(parts[i] > 1, i >= large) << i;
-  EXPECT_LE(hierarchy.references.size(), 1.71 * scene.count());
+    EXPECT_GT(parts[i], 1) << i;
+}
+
+// Along two axes each: none is worth dividing for its empty box.
+TYPED_TEST(BuiltHierarchy, OfFastQualityDividesWhatIsLargeAmongOthersWithinItsBounds) {
+  Chance& chance = this->chance_;
+  TestScene<TypeParam> scene;
+  std::vector<double> widths;
+  double sum = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3d at = chance.in_cube(1);
+    const double size = chance.power_of_two(-9, 0);
+    const auto axis = static_cast<int>(chance.index(3));
+    Vec3d along{}, across{};
+    along.set(axis, size);
+    across.set((axis + 1) % 3, size);
+    scene.triangles.push_back(
+        triangle_of(cast<TypeParam>(at), cast<TypeParam>(at + along), cast<TypeParam>(at + across)));
+    widths.push_back(size);
+    sum += size;
+  }
+  const Structure hierarchy = hierarchy_of(scene, HierarchyQuality::fast);
+  const auto parts = parts_of_primitives(hierarchy, widths.size());
+  const double least = large_width * 0.99 * sum / static_cast<double>(widths.size());
+  for (std::size_t i = 0; i < widths.size(); ++i)
+    EXPECT_TRUE(parts[i] == 1 || widths[i] > least) << i;
+  EXPECT_GT(hierarchy.references.size(), 1.1 * scene.count());
+  EXPECT_LE(hierarchy.references.size(), (1 + spare_parts) * scene.count());
 }
 
 TEST_F(Hierarchies, PartsOfAPrimitiveThatLieSideBySideAreOne) {

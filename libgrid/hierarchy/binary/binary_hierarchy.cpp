@@ -257,28 +257,12 @@ private:
             {right + places, range.count - left_count, range.places - places, range.room - room}};
   }
 
-  // A fragment that a split divides.
-  struct Divided {
-    std::uint32_t fragment;
-    Sides parts;
-  };
-
-  // In their order.
-  std::vector<Divided> divided_by(const RangeSplit& split, const FragmentRange& range) const {
-    std::vector<std::vector<Divided>> lists(chunks_of(range.count));
-    for_each_chunk(range.count, progress_, [&](std::uint32_t chunk, std::uint32_t begin, std::uint32_t end) {
-      Divided divided{};
-      for (divided.fragment = begin; divided.fragment != end; ++divided.fragment)
-        if (split.divides(scene_, margin_, range.first[divided.fragment], divided.parts))
-          lists[chunk].push_back(divided);
-    });
-    return joined(std::move(lists));
-  }
-
   // Divides what crosses the plane, as long as there is room. `moved`: memory for a range that has no more
   // places.
   void divide(FragmentRange& range, const RangeSplit& split, HostArray<BinaryNode>& moved) {
-    const std::vector<Divided> divided = divided_by(split, range);
+    const auto divided = divided_by(range.count, progress_, [&](std::uint32_t fragment, Sides& parts) {
+      return split.divides(scene_, margin_, range.first[fragment], parts);
+    });
     const auto added = static_cast<std::uint32_t>(std::min<std::size_t>(divided.size(), range.room));
     if (added > range.places) {
       moved.resize(places_for(range.count + std::max(added, 16U)));

@@ -61,6 +61,8 @@ MASU_HD inline Boxf common(const Boxf& a, const Boxf& b) {
 // The bounds of what of a primitive lies on either side of a plane, with the margin; empty for nothing.
 struct Sides {
   Boxf below, above;
+
+  MASU_HD bool are_two() const { return !is_empty(below) && !is_empty(above); }
 };
 template <class Primitive>
 MASU_HD Sides sides_with_margin(const Primitive& primitive, int axis, double plane, double margin) {
@@ -69,6 +71,12 @@ MASU_HD Sides sides_with_margin(const Primitive& primitive, int axis, double pla
     return is_empty(bounds) ? empty_box<float>() : box_around(bounds, margin);
   };
   return {part(sides.below), part(sides.above)};
+}
+// Of a part that is in a box.
+template <class Primitive>
+MASU_HD Sides parts_of(const Primitive& primitive, int axis, double plane, double margin, const Boxf& box) {
+  const Sides sides = sides_with_margin(primitive, axis, plane, margin);
+  return {common(sides.below, box), common(sides.above, box)};
 }
 
 enum class SplitKind : std::uint32_t { halves, by_centre, by_space };
@@ -95,10 +103,9 @@ struct RangeSplit {
         along(fragment.max[at.axis]) <= at.number)
       return false;
     with_primitive(scene, fragment.index, [&](const auto& primitive) {
-      parts = sides_with_margin(primitive, at.axis, along.plane(at.number), margin);
+      parts = parts_of(primitive, at.axis, along.plane(at.number), margin, fragment.box());
     });
-    parts = {common(parts.below, fragment.box()), common(parts.above, fragment.box())};
-    return !is_empty(parts.below) && !is_empty(parts.above);
+    return parts.are_two();
   }
 };
 

@@ -1,7 +1,7 @@
 // Many leaves gone through, or partitioned in place, by all cores.
 #pragma once
 
-#include "libgrid/hierarchy/collapse_passes.h"
+#include "libgrid/hierarchy/binary/fragment_split.h"
 #include "libscene/base/parallel.h"
 #include "libscene/base/progress_monitor.h"
 
@@ -34,6 +34,24 @@ std::vector<T> joined(std::vector<std::vector<T>> lists) {
   for (const std::vector<T>& list : lists)
     all.insert(all.end(), list.begin(), list.end());
   return all;
+}
+
+// A fragment that is divided.
+struct Divided {
+  std::uint32_t fragment;
+  Sides parts;
+};
+// Those of 0 … count - 1 of which divides(fragment, its parts) says so, in their order.
+template <class Divides>
+std::vector<Divided> divided_by(std::uint32_t count, const ProgressMonitor* progress,
+                                const Divides& divides) {
+  std::vector<std::vector<Divided>> lists(chunks_of(count));
+  for_each_chunk(count, progress, [&](std::uint32_t chunk, std::uint32_t begin, std::uint32_t end) {
+    Divided divided{};
+    for (divided.fragment = begin; divided.fragment != end; ++divided.fragment)
+      if (divides(divided.fragment, divided.parts)) lists[chunk].push_back(divided);
+  });
+  return joined(std::move(lists));
 }
 
 // Those that is_left() first, in the order that std::partition() leaves them in: the first one that belongs

@@ -12,22 +12,22 @@ namespace masu {
 
 inline constexpr std::uint32_t most_in_small = 256;
 
-// A node's leaves, so many side by side in their order; whether it is the right one of a pair, or the root;
-// and where it is small its number among those that are.
+// A node's leaves, so many side by side in their order, and places after them for so many more; whether it is
+// the right one of a pair, or the root; and where it is small its number among those that are.
 struct LeafRange {
-  std::uint32_t first, count, is_right, small;
+  std::uint32_t first, count, room, is_right, small;
 
   MASU_HD bool is_small() const { return count <= most_in_small; }
   // A pair of nodes that is split before leaf s is nodes 2 s and 2 s + 1: so a range has the numbers of all
   // nodes below its own to itself. The root is node 0, and 1 isn't there.
   MASU_HD std::uint32_t number() const {
-    return is_right == 0 ? 2 * (first + count) : first > 0 ? 2 * first + 1 : 0;
+    return is_right == 0 ? 2 * (first + count + room) : first > 0 ? 2 * first + 1 : 0;
   }
 };
 
 // A small range, with its depth.
 struct SmallRange {
-  std::uint32_t first, count, is_right, depth;
+  std::uint32_t first, count, room, is_right, depth;
 };
 
 struct SplitSmallRanges {
@@ -153,7 +153,8 @@ private:
   MASU_HD void finish(Scratch& scratch, const SmallRange& range, std::uint32_t own) const {
     const std::uint32_t first = scratch.nodes[own].first, count = scratch.nodes[own].count,
                         child = scratch.nodes[own].child;
-    const LeafRange whole{range.first + first, count, own == 0 ? range.is_right : 1 - own % 2, 0};
+    const LeafRange whole{range.first + first, count, own == 0 ? range.room : 0,
+                          own == 0 ? range.is_right : 1 - own % 2, 0};
     BinaryNode node;
     if (count == 1) {
       node = leaf(scratch, first);

@@ -1,7 +1,7 @@
 #include "libgrid/hierarchy/binary/top_down_host.h"
 
+#include "libgrid/hierarchy/binary/binned_fragments.h"
 #include "libgrid/hierarchy/binary/parallel_partition.h"
-#include "libgrid/hierarchy/binary/split_lanes.h"
 #include "libscene/base/parallel.h"
 
 #include <algorithm>
@@ -55,24 +55,87 @@ LeafSplit cheapest_of_many(const BinaryNode* leaves, std::uint32_t count, const 
   return {split.cost, split.axis, along[split.axis].end(split.number)};
 }
 
-// Leaves of a node: from `first` on of all, wherever they are at the time.
+// By planes that divide what is large.
+LeafSplit cheapest_by_planes(const BinaryNode* leaves, std::uint32_t count, const LargeLeaves& large) {
+  const LeafSample sample(count);
+  LaneBox around;
+  sample.for_each(0, 1, [&](std::uint32_t i, std::uint32_t) { around.join(box_of(leaves[i])); });
+  const Binning binning(around, bins_in_space);
+  BinsInSpace whole(binning.count()), from(whole.count), to(whole.count);
+  sample.for_each(0, 1, [&](std::uint32_t i, std::uint32_t stands_for) {
+    const LaneBox box = box_of(leaves[i]);
+    const WholeLanes4 number = WholeLanes4{} + static_cast<std::int32_t>(stands_for);
+    const auto add = [&](BinsInSpace& bins, Lanes4 at, const CountedBox& counted) {
+      const WholeLanes4 in = binning.bins_of(at);
+      for (int axis = 0; axis < 3; ++axis)
+        bins.at(in, axis).join(counted);
+    };
+    if (large.has(leaves[i])) {
+      add(from, box.low, CountedBox(box, number));
+      add(to, box.high, CountedBox(box, WholeLanes4{}, number));
+    } else {
+      Lanes4 centre = box.twice_the_centre();
+      centre[3] = 0; // else a leaf's index, as a float so small that products of it are slow
+      add(whole, 0.5F * centre, CountedBox(box, number, number));
+    }
+  });
+  // Parts reach up to a plane.
+  const auto side = [&](CountedLanes parts, const CountedLanes& others, std::int32_t bin, int below) {
+    const Lanes4 plane = binning.planes(WholeLanes4{} + bin);
+    for (int axis = 0; axis < 3; ++axis) {
+      float& reach = parts.planes[axis][axis + 4 * below];
+      reach = std::max(reach, below != 0 ? -plane[axis] : plane[axis]);
+    }
+    parts.join(others);
+    return parts;
+  };
+  CountedLanes right[bins_in_space], above, others; // right: from a bin on
+  for (std::int32_t i = whole.count - 1; i > 0; --i) {
+    above.join(to.lanes(i));
+    others.join(whole.lanes(i));
+    right[i] = side(above, others, i - 1, 0);
+  }
+  CheapestSplit cheapest;
+  CountedLanes below;
+  others = {};
+  for (std::int32_t i = 0; i + 1 < whole.count; ++i) {
+    below.join(from.lanes(i));
+    others.join(whole.lanes(i));
+    const CountedLanes left = side(below, others, i, 1);
+    cheapest.add(split_cost(left.areas(), __builtin_convertvector(left.begin(), Lanes4), right[i + 1].areas(),
+                            __builtin_convertvector(right[i + 1].end(), Lanes4)),
+                 i);
+  }
+  const AxisSplit split = cheapest.along_any_axis();
+  if (split.axis < 0) return {};
+  return {split.cost, split.axis, 2 * binning.along[split.axis].plane(split.number)};
+}
+
+// Leaves of a node: from `first` on of all, wherever they are at the time, and places after them for so many
+// more.
 struct PlacedLeaves {
   BinaryNode* leaves;
-  std::uint32_t first, count;
+  std::uint32_t first, count, room;
+
+  std::uint32_t places() const { return count + room; }
 };
 
 // A pair of nodes that is split before leaf s is nodes 2 s and 2 s + 1. So a range of leaves has all of the
 // nodes below its own to itself: until they are made, their second half holds its leaves, too.
 class TopDownBuilder {
 public:
-  TopDownBuilder(HostArray<BinaryNode> leaves, const ProgressMonitor* progress)
-      : leaves_(std::move(leaves)), nodes_(2 * leaves_.size()), choices_(nodes_.size()), progress_(progress) {
+  TopDownBuilder(HierarchyLeaves<TbbExecutor> made, const TriangleOf& triangle,
+                 const ProgressMonitor* progress)
+      : count_(static_cast<std::uint32_t>(made.leaves.size())), large_(made.large), triangle_(triangle),
+        leaves_(std::move(made.leaves)), progress_(progress) {
+    leaves_.resize(std::size_t{count_} + large_.room);
+    nodes_.resize(2 * leaves_.size());
+    choices_.resize(nodes_.size());
   }
 
   BinaryHierarchy<TbbExecutor> build(const Boxd& space) {
-    const auto count = static_cast<std::uint32_t>(leaves_.size());
-    if (count == 0) return {};
-    build({leaves_.data(), 0, count}, twice(cast<float>(space)), 0, 0);
+    if (count_ == 0) return {};
+    build({leaves_.data(), 0, count_, large_.room}, twice(cast<float>(space)), 0, 0);
     return {std::move(nodes_), std::move(choices_)};
   }
 
@@ -86,9 +149,11 @@ private:
       return with_choice(number, collapse_costs_of_leaf(node));
     }
     LeafSplit split;
-    if (range.count > 2 && range.count <= most_leaves_split(depth))
+    if (range.count > 2 && range.count <= most_leaves_split(depth)) {
       split = range.count <= few_leaves ? cheapest_of_few(range.leaves, range.count)
                                         : cheapest_of_many(range.leaves, range.count, space);
+      if (range.room > 0 && range.count > most_undivided) divide_if_cheaper(range, split);
+    }
     PlacedLeaves left{}, right{};
     if (range.count > leaves_of_all_cores)
       partition_by_all_cores(range, split, left, right);
@@ -102,7 +167,7 @@ private:
     if (range.count > leaves_per_task) {
       check_progress(progress_);
       parallel_invoke(std::cref(build_left), std::cref(build_right));
-      give_back(among_leaves(range.first), range.count);
+      give_back(among_leaves(range.first), range.places());
     } else {
       build_left();
       build_right();
@@ -119,15 +184,41 @@ private:
 
   // Where a range's leaves may be.
   BinaryNode* among_leaves(std::uint32_t first) { return leaves_.data() + first; }
-  BinaryNode* among_nodes(std::uint32_t first, std::uint32_t count) {
-    return nodes_.data() + 2 * std::size_t{first} + count;
+  BinaryNode* among_nodes(std::uint32_t first, std::uint32_t places) {
+    return nodes_.data() + 2 * std::size_t{first} + places;
   }
+
+  // What is large by a plane: what lies below stays in its place, what lies above comes after the others.
+  void divide_if_cheaper(PlacedLeaves& range, LeafSplit& split) {
+    const LeafSplit at_plane = cheapest_by_planes(range.leaves, range.count, large_);
+    if (!(at_plane.cost < most_of_cost * split.cost)) return;
+    split = at_plane;
+    const auto divided = divided_by(range.count, progress_, [&](std::uint32_t leaf, Sides& parts) {
+      return large_.divides(split, range.leaves[leaf], triangle_, parts);
+    });
+    for (const auto& [leaf, parts] : divided) {
+      if (range.room == 0) break;
+      BinaryNode& below = range.leaves[leaf];
+      range.leaves[range.count++] = {parts.above.min, below.index, parts.above.max, 1};
+      below = {parts.below.min, below.index, parts.below.max, 1};
+      --range.room;
+    }
+  }
+
+  // Both get room in proportion.
+  struct Halves {
+    std::uint32_t left_room, right_first, right_room;
+
+    Halves(const PlacedLeaves& range, std::uint32_t left)
+        : left_room(room_of_left(range.room, left, range.count)), right_first(range.first + left + left_room),
+          right_room(range.room - left_room) {}
+  };
 
   // Both in their order, the left ones first. Where a split is of all or nothing it becomes none.
   void partition(PlacedLeaves range, LeafSplit& split, PlacedLeaves& left, PlacedLeaves& right) {
     BinaryNode* const leaves = among_leaves(range.first);
     if (range.leaves != leaves) std::copy_n(range.leaves, range.count, leaves);
-    BinaryNode* const rest = among_nodes(range.first, range.count);
+    BinaryNode* const rest = among_nodes(range.first, range.places());
     std::uint32_t left_count = 0;
     with_axis(split.axis, [&](auto axis) {
       for (std::uint32_t i = 0; i < range.count; ++i) {
@@ -141,8 +232,12 @@ private:
         put(box_of(rest[i - left_count]), leaves[i]);
     });
     halve_if_one_sided(range, split, left_count);
-    left = {leaves, range.first, left_count};
-    right = {leaves + left_count, range.first + left_count, range.count - left_count};
+    const Halves halves(range, left_count);
+    BinaryNode* const first_right = among_leaves(halves.right_first);
+    if (halves.left_room > 0)
+      std::move_backward(leaves + left_count, leaves + range.count, first_right + range.count - left_count);
+    left = {leaves, range.first, left_count, halves.left_room};
+    right = {first_right, halves.right_first, range.count - left_count, halves.right_room};
   }
 
   // The same from among leaves to among nodes, or back.
@@ -163,11 +258,12 @@ private:
     std::uint32_t left_count = left_before[chunks];
     halve_if_one_sided(range, split, left_count);
     const bool to_nodes = range.leaves == among_leaves(range.first);
-    const auto place = [&](std::uint32_t first, std::uint32_t count) -> PlacedLeaves {
-      return {to_nodes ? among_nodes(first, count) : among_leaves(first), first, count};
+    const auto place = [&](std::uint32_t first, std::uint32_t count, std::uint32_t room) -> PlacedLeaves {
+      return {to_nodes ? among_nodes(first, count + room) : among_leaves(first), first, count, room};
     };
-    left = place(range.first, left_count);
-    right = place(range.first + left_count, range.count - left_count);
+    const Halves halves(range, left_count);
+    left = place(range.first, left_count, halves.left_room);
+    right = place(halves.right_first, range.count - left_count, halves.right_room);
     for_each_chunk(range.count, progress_, [&](std::uint32_t c, std::uint32_t begin, std::uint32_t end) {
       if (split.axis < 0) {
         for (std::uint32_t i = begin; i != end; ++i)
@@ -191,6 +287,9 @@ private:
     left_count = range.count / 2;
   }
 
+  std::uint32_t count_;
+  LargeLeaves large_;
+  const TriangleOf& triangle_;
   HostArray<BinaryNode> leaves_, nodes_;
   HostArray<CollapseChoice> choices_;
   const ProgressMonitor* progress_;
@@ -198,9 +297,10 @@ private:
 
 } // namespace
 
-BinaryHierarchy<TbbExecutor> top_down_hierarchy(HostArray<BinaryNode> leaves, const Boxd& space,
+BinaryHierarchy<TbbExecutor> top_down_hierarchy(HierarchyLeaves<TbbExecutor> leaves,
+                                                const TriangleOf& triangle, const Boxd& space,
                                                 const ProgressMonitor* progress) {
-  return TopDownBuilder(std::move(leaves), progress).build(space);
+  return TopDownBuilder(std::move(leaves), triangle, progress).build(space);
 }
 
 } // namespace masu

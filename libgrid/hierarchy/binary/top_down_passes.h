@@ -2,46 +2,24 @@
 // leaves as leaf_split.h has it. The CPU builds the same one depth first (top_down_host.h).
 //
 //   1. split    of each node's leaves by where their centres are
-//   2. sort     each node's leaves, in its place, by the node of the next level that they are in, else in
-//               their order; 1 and 2 until all ranges are small
-//   3. finish   small ranges, with all that is below them (small_ranges.h)
-//   4. combine  boxes and costs, from the lowest level up
+//   2. divide   what is large by a plane, where that is cheaper (large_leaves.h)
+//   3. sort     each node's leaves, in its place, by the node of the next level that they are in, else in
+//               their order; 1 to 3 until all ranges are small
+//   4. finish   small ranges, with all that is below them (small_ranges.h)
+//   5. combine  boxes and costs, from the lowest level up
 //
 // No byte of the result depends on the executor or its number of threads.
 #pragma once
 
 #include "libgrid/hierarchy/binary/combine_passes.h"
+#include "libgrid/hierarchy/binary/level_splits.h"
 #include "libgrid/hierarchy/binary/small_ranges.h"
-#include "libscene/passes/thread_group.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace masu {
-
-// Ranges that aren't small.
-struct SplitRanges {
-  static constexpr unsigned threads = 256; // a block's
-  using Scratch = SplitScratch;
-  const BinaryNode* leaves;
-  const std::uint32_t* order; // of leaves
-  const LeafRange* ranges;
-  LevelCount count;
-  const Boxf* spaces;
-  LeafSplit* splits;
-  std::uint32_t most; // a range of more is halved, lest the hierarchy become too deep
-
-  template <class ThreadGroup>
-  MASU_HD void operator()(const ThreadGroup& group, Scratch& scratch, std::uint64_t i) const {
-    if (i >= count() || ranges[i].is_small()) return;
-    const LeafRange range = ranges[i];
-    const auto leaf = [&](std::uint32_t k) -> const BinaryNode& { return leaves[order[range.first + k]]; };
-    LeafSplit best;
-    if (range.count <= most) best = cheapest_split(group, scratch, range.count, spaces[i], leaf);
-    if (group.thread_rank() == 0) splits[i] = best;
-  }
-};
 
 // A level's nodes as combine() asks for them (combine_passes.h).
 struct SplitNodes {
@@ -78,10 +56,9 @@ struct RangeLevel {
   }
 };
 
-// Leaves sorted by their ranges in a level; by none, those of small ones.
+// Leaves sorted by their ranges in a level; by no_range, those of small ones.
 template <class Executor>
 struct LeafOrder {
-  static constexpr std::uint32_t none = ~0U;
   ArrayOf<Executor, std::uint32_t> leaves{}, ranges{};
 
   LeafOrder(const Executor& executor, std::uint64_t count)
@@ -107,24 +84,57 @@ struct SmallList {
   std::uint32_t* count;
 
   // A range of that depth, which is put on the list if it is small.
-  MASU_HD LeafRange range(std::uint32_t first, std::uint32_t count_of, bool is_right,
+  MASU_HD LeafRange range(std::uint32_t first, std::uint32_t count_of, std::uint32_t room, bool is_right,
                           std::uint32_t depth) const {
-    LeafRange made{first, count_of, is_right ? 1U : 0U, 0};
+    LeafRange made{first, count_of, room, is_right ? 1U : 0U, 0};
     if (made.is_small()) {
       made.small = added(*count, 1);
-      ranges[made.small] = {first, count_of, made.is_right, depth};
+      ranges[made.small] = {first, count_of, room, made.is_right, depth};
     }
     return made;
   }
 };
 
+// Divides what is large at the planes that ranges of a level are split at: of each range the first leaves
+// that are, as long as there is room. What lies below stays in its place, what lies above comes after the
+// range's others. `leaf`: all, and places for more.
+template <class Executor>
+void divide_large(Executor& executor, BinaryNode* leaf, const SplitAtPlanes& at, RangeLevel<Executor>& level,
+                  const LeafOrder<Executor>& order) {
+  const std::uint64_t range_count = level.ranges.size(), places = order.leaves.size();
+  LeafRange* const range = level.ranges.data();
+  const std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
+  const auto divided = sums_before(executor, places, [=] MASU_PASS(std::uint64_t i) {
+    Sides parts{};
+    return at.divides(i, range_of[i], parts);
+  });
+  const std::uint32_t* const divided_before = divided.data();
+  executor.for_each(places, [=] MASU_PASS(std::uint64_t i) {
+    if (divided_before[i + 1] == divided_before[i]) return;
+    const LeafRange own = range[range_of[i]];
+    const std::uint32_t before = divided_before[i] - divided_before[own.first];
+    Sides parts{};
+    if (before >= own.room || !at.divides(i, range_of[i], parts)) return;
+    BinaryNode& below = leaf[ordered_leaf[i]];
+    leaf[ordered_leaf[own.first + own.count + before]] = {parts.above.min, below.index, parts.above.max, 1};
+    below = {parts.below.min, below.index, parts.below.max, 1};
+  });
+  executor.for_each(range_count, [=, there = level.count] MASU_PASS(std::uint64_t i) {
+    if (i >= there() || range[i].is_small()) return;
+    const std::uint32_t first = range[i].first, end = first + range[i].count;
+    const std::uint32_t more = std::min(divided_before[end] - divided_before[first], range[i].room);
+    range[i].count += more;
+    range[i].room -= more;
+  });
+}
+
 // Splits the ranges of a level of that depth and sorts the leaves anew; returns the next level. Where that
 // may have as many ranges as there is room for, the host doesn't wait to be told.
 template <class Executor>
-RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std::uint32_t depth,
+RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const LargeLeaves& large,
+                                 const TrianglesOfEither& triangle, std::uint32_t depth,
                                  RangeLevel<Executor>& level, LeafOrder<Executor>& order,
                                  const SmallList& small) {
-  constexpr std::uint32_t none = LeafOrder<Executor>::none;
   const std::uint64_t range_count = level.ranges.size(), count = order.leaves.size();
   const LeafRange* const range = level.ranges.data();
   const LevelCount ranges_there = level.count;
@@ -144,11 +154,18 @@ RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std
   const std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
   const Boxf* const space = level.spaces.data();
   LeafSplit* const split = splits.data();
-  executor.for_each_by_group(range_count, SplitRanges{leaf, ordered_leaf, range, ranges_there, space, split,
-                                                      most_leaves_split(depth)});
+  const SplitRanges split_ranges{
+      leaf, ordered_leaf, range, ranges_there, space, split, most_leaves_split(depth)};
+  executor.for_each_by_group(range_count, split_ranges);
+  if (large.room > 0) {
+    auto at_plane = executor.template array<std::uint32_t>(range_count);
+    const SplitAtPlanes at_planes{split_ranges, large, triangle, at_plane.data()};
+    executor.for_each_by_group(range_count, at_planes);
+    divide_large(executor, leaf, at_planes, level, order);
+  }
   const auto left_sums = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
     const std::uint32_t own = range_of[i];
-    return own != none && split[own].is_left(leaf[ordered_leaf[i]]);
+    return own != no_range && split[own].is_left(leaf[ordered_leaf[i]]);
   });
   const std::uint32_t *const first_child = level.first_child.data(), *const left_before = left_sums.data();
   std::uint32_t* const pair = level.pairs.data();
@@ -156,16 +173,17 @@ RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std
   Boxf* const child_space = below.spaces.data();
   executor.for_each(range_count, [=] MASU_PASS(std::uint64_t i) {
     if (i >= ranges_there() || range[i].is_small()) return;
-    const std::uint32_t first = range[i].first, in_range = range[i].count;
+    const std::uint32_t first = range[i].first, in_range = range[i].count, room = range[i].room;
     std::uint32_t left = left_before[first + in_range] - left_before[first];
     if (left == 0 || left == in_range) {
       split[i].axis = -1;
       left = in_range / 2;
     }
-    pair[i] = 2 * (first + left);
+    const std::uint32_t left_room = room_of_left(room, left, in_range), right = first + left + left_room;
+    pair[i] = 2 * right;
     const std::uint32_t at = first_child[i];
-    child[at] = small.range(first, left, false, depth + 1);
-    child[at + 1] = small.range(first + left, in_range - left, true, depth + 1);
+    child[at] = small.range(first, left, left_room, false, depth + 1);
+    child[at + 1] = small.range(right, in_range - left, room - left_room, true, depth + 1);
     const SplitSpaces spaces(space[i], split[i]);
     child_space[at] = spaces.left;
     child_space[at + 1] = spaces.right;
@@ -174,21 +192,24 @@ RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std
   std::uint32_t *const next_leaf = next.leaves.data(), *const next_range_of = next.ranges.data();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     const std::uint32_t own = range_of[i];
-    if (own == none) {
-      next_range_of[i] = none;
+    if (own == no_range) {
+      next_range_of[i] = no_range;
       next_leaf[i] = ordered_leaf[i];
       return;
     }
     const std::uint32_t first = range[own].first, left_child = first_child[own],
                         in_range = static_cast<std::uint32_t>(i) - first;
-    const std::uint32_t in_left = child[left_child].count;
+    const LeafRange on_left = child[left_child], on_right = child[left_child + 1];
     const bool halved = split[own].axis < 0;
     const std::uint32_t left =
-        halved ? std::min(in_range, in_left) : left_before[i] - left_before[first]; // before it
-    const bool is_left = halved ? in_range < in_left : left_before[i + 1] != left_before[i];
-    const std::uint32_t to = left_child + (is_left ? 0 : 1),
-                        at = first + (is_left ? left : in_left + in_range - left);
-    next_range_of[at] = child[to].is_small() ? none : to;
+        halved ? std::min(in_range, on_left.count) : left_before[i] - left_before[first]; // before it
+    bool is_left = halved ? in_range < on_left.count : left_before[i + 1] != left_before[i];
+    std::uint32_t at = is_left ? first + left : on_right.first + in_range - left;
+    if (const std::uint32_t end = on_right.first + on_right.count + on_right.room; at >= end) {
+      is_left = true; // a place for more
+      at = first + on_left.count + (at - end);
+    }
+    next_range_of[at] = (is_left ? on_left : on_right).is_small() ? no_range : left_child + (is_left ? 0 : 1);
     next_leaf[at] = ordered_leaf[i];
   });
   order = std::move(next);
@@ -196,17 +217,35 @@ RangeLevel<Executor> split_level(Executor& executor, const BinaryNode* leaf, std
   return below;
 }
 
+// With places for so many more, which are on no side of anything.
 template <class Executor>
-BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, const ArrayOf<Executor, BinaryNode>& leaves,
-                                             const Boxd& scene_space) {
+ArrayOf<Executor, BinaryNode> with_room(Executor& executor, const ArrayOf<Executor, BinaryNode>& leaves,
+                                        std::uint32_t room) {
   const std::uint64_t count = leaves.size();
-  if (count == 0) return {};
+  auto all = executor.template array<BinaryNode>(count + room);
+  BinaryNode* const to = all.data();
   const BinaryNode* const leaf = leaves.data();
+  executor.for_each(count + room, [=] MASU_PASS(std::uint64_t i) {
+    constexpr Vec3f nowhere{INFINITY, INFINITY, INFINITY};
+    to[i] = i < count ? leaf[i] : BinaryNode{nowhere, 0, nowhere, 1};
+  });
+  return all;
+}
+
+template <class Executor>
+BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, HierarchyLeaves<Executor> made,
+                                             const TrianglesOfEither& triangle, const Boxd& scene_space) {
+  auto& [leaves, large] = made;
+  if (leaves.size() == 0) return {};
+  if (large.room > 0) leaves = with_room(executor, leaves, large.room);
+  const std::uint64_t count = leaves.size();
+  BinaryNode* const leaf = leaves.data();
   LeafOrder<Executor> order(executor, count);
   std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
+  const bool is_small = count - large.room <= most_in_small;
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     ordered_leaf[i] = static_cast<std::uint32_t>(i);
-    range_of[i] = 0;
+    range_of[i] = is_small ? no_range : 0;
   });
   SmallRanges<Executor> small(executor, count);
   const SmallList list{small.ranges.data(), small.count.data()};
@@ -214,15 +253,16 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, const ArrayOf<E
       {1, nullptr}, executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
   LeafRange* const all = next.ranges.data();
   Boxf* const space = next.spaces.data();
-  executor.for_each(1, [=, centres = twice(cast<float>(scene_space))] MASU_PASS(std::uint64_t) {
-    *all = list.range(0, static_cast<std::uint32_t>(count), true, 0);
-    *space = centres;
-  });
+  executor.for_each(
+      1, [=, room = large.room, centres = twice(cast<float>(scene_space))] MASU_PASS(std::uint64_t) {
+        *all = list.range(0, static_cast<std::uint32_t>(count) - room, room, true, 0);
+        *space = centres;
+      });
   std::vector<RangeLevel<Executor>> levels;
   while (next.ranges.size() > 0) {
     const auto depth = static_cast<std::uint32_t>(levels.size());
     levels.push_back(std::move(next));
-    next = split_level(executor, leaf, depth, levels.back(), order, list);
+    next = split_level(executor, leaf, large, triangle, depth, levels.back(), order, list);
   }
   const std::uint32_t small_count = executor.value(small.count, 0);
   auto small_costs = executor.template array<CollapseCosts>(small_count);
