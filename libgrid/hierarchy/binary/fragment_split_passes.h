@@ -87,6 +87,22 @@ MASU_HD inline void add_candidate(const AxisSplit& candidate, const SplitSide& l
   if (comes_before(split, best)) best = split;
 }
 
+// The cheapest split after one of so many bins along an axis, for the first thread. sides(candidate, left,
+// right) adds what is on either side of it.
+template <class ThreadGroup, class Act>
+MASU_HD AxisSplit cheapest_after_bin(const ThreadGroup& group, std::int32_t bins, const Act& sides) {
+  AxisSplit best;
+  const auto own = static_cast<std::int32_t>(group.thread_rank()), // candidates are the first warp's
+      threads = min(static_cast<std::int32_t>(group.size()), lanes_per_warp);
+  for (std::int32_t i = own; own < threads && i < 3 * (bins - 1); i += threads) {
+    const AxisSplit candidate{INFINITY, i / (bins - 1), i % (bins - 1)};
+    SplitSide left, right;
+    sides(candidate, left, right);
+    add_candidate(candidate, left, right, best);
+  }
+  return group.first_of_all(best);
+}
+
 // What the bins along each axis hold: the join of boxes, and how many fragments begin and end there.
 template <std::int32_t most>
 struct BinSums {
@@ -126,19 +142,12 @@ struct BinSums {
   // Of the first so many bins along each axis, for the first thread.
   template <class ThreadGroup>
   MASU_HD AxisSplit cheapest(const ThreadGroup& group, std::int32_t bins) const {
-    AxisSplit best;
-    const auto own = static_cast<std::int32_t>(group.thread_rank()), // candidates are the first warp's
-        threads = min(static_cast<std::int32_t>(group.size()), lanes_per_warp);
-    for (std::int32_t i = own; own < threads && i < 3 * (bins - 1); i += threads) {
-      const AxisSplit candidate{INFINITY, i / (bins - 1), i % (bins - 1)};
-      SplitSide left, right;
+    return cheapest_after_bin(group, bins, [&](const AxisSplit& split, SplitSide& left, SplitSide& right) {
       for (std::int32_t b = 0; b < bins; ++b) {
-        const Bin& bin = along[candidate.axis][b];
-        b <= candidate.number ? left.add(bin.box, bin.begin) : right.add(bin.box, bin.end);
+        const Bin& bin = along[split.axis][b];
+        b <= split.number ? left.add(bin.box, bin.begin) : right.add(bin.box, bin.end);
       }
-      add_candidate(candidate, left, right, best);
-    }
-    return group.first_of_all(best);
+    });
   }
 };
 

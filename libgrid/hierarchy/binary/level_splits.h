@@ -63,32 +63,26 @@ struct PlaneScratch {
   // The cheapest plane after a bin, up to which parts reach, for the first thread.
   template <class ThreadGroup>
   MASU_HD AxisSplit cheapest(const ThreadGroup& group, const FragmentBins (&along)[3]) const {
-    AxisSplit best;
-    const auto own = static_cast<std::int32_t>(group.thread_rank()), // candidates are the first warp's
-        threads = min(static_cast<std::int32_t>(group.size()), lanes_per_warp);
-    for (std::int32_t i = own; own < threads && i < 3 * (bins_in_space - 1); i += threads) {
-      const AxisSplit candidate{INFINITY, i / (bins_in_space - 1), i % (bins_in_space - 1)};
-      SplitSide left, right;
-      Boxf below = empty_box<float>(), above = below;
-      for (std::int32_t b = 0; b < bins_in_space; ++b) {
-        const auto& bin = bins[candidate.axis][b];
-        if (b <= candidate.number) {
-          left.add(bin.whole, bin.begin);
-          below = join(below, bin.from);
-        } else {
-          right.add(bin.whole, bin.end);
-          above = join(above, bin.to);
-        }
-      }
-      const int axis = candidate.axis;
-      const float plane = along[axis].plane(candidate.number);
-      below.max.set(axis, std::min(below.max[axis], plane));
-      above.min.set(axis, std::max(above.min[axis], plane));
-      left.add(below, 0);
-      right.add(above, 0);
-      add_candidate(candidate, left, right, best);
-    }
-    return group.first_of_all(best);
+    return cheapest_after_bin(group, bins_in_space,
+                              [&](const AxisSplit& split, SplitSide& left, SplitSide& right) {
+                                const int axis = split.axis;
+                                Boxf below = empty_box<float>(), above = below;
+                                for (std::int32_t b = 0; b < bins_in_space; ++b) {
+                                  const auto& bin = bins[axis][b];
+                                  if (b <= split.number) {
+                                    left.add(bin.whole, bin.begin);
+                                    below = join(below, bin.from);
+                                  } else {
+                                    right.add(bin.whole, bin.end);
+                                    above = join(above, bin.to);
+                                  }
+                                }
+                                const float plane = along[axis].plane(split.number);
+                                below.max.set(axis, std::min(below.max[axis], plane));
+                                above.min.set(axis, std::max(above.min[axis], plane));
+                                left.add(below, 0);
+                                right.add(above, 0);
+                              });
   }
 };
 
