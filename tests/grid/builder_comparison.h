@@ -132,7 +132,8 @@ TYPED_TEST_P(BuilderComparison, AHierarchyOfARoomIsTheSameBytes) {
                                             cast<Stored>(opposite - across)));
     }
     const int size = chance.whole(-8, -4);
-    add_triangles(chance, scene, chance.whole(1, chance.one_of({300, TypeParam::many})), size, chance.one_in(2) ? size : 0);
+    add_triangles(chance, scene, chance.whole(1, chance.one_of({300, TypeParam::many})), size,
+                  chance.one_in(2) ? size : 0);
     for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
       options.quality = quality;
       this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);

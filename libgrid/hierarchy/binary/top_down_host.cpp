@@ -83,8 +83,8 @@ LeafSplit cheapest_by_planes(const BinaryNode* leaves, std::uint32_t count, cons
   const auto side = [&](CountedLanes parts, const CountedLanes& others, std::int32_t bin, int below) {
     const Lanes4 plane = binning.planes(WholeLanes4{} + bin);
     for (int axis = 0; axis < 3; ++axis) {
-      float& reach = parts.planes[axis][axis + 4 * below];
-      reach = std::max(reach, below != 0 ? -plane[axis] : plane[axis]);
+      const int lane = axis + 4 * below;
+      parts.planes[axis][lane] = std::max(parts.planes[axis][lane], below != 0 ? -plane[axis] : plane[axis]);
     }
     parts.join(others);
     return parts;
