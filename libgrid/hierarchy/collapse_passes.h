@@ -12,6 +12,7 @@
 #include "libgrid/hierarchy/node_boxes.h"
 #include "libgrid/structure/structure.h"
 #include "libgrid/structure/unit_costs.h"
+#include "libscene/base/atomic.h"
 #include "libscene/base/fetch.h"
 #include "libscene/passes/passes.h"
 
@@ -199,21 +200,14 @@ MASU_HD inline std::uint32_t write_node(const BinaryView& binary, std::uint32_t 
   return listed;
 }
 
-// How many records a level has, as passes know it, of which there may be room for more.
-struct LevelCount {
-  std::uint64_t room;
-  const std::uint32_t* count; // null: as many
-
-  MASU_HD std::uint64_t operator()() const { return count != nullptr ? *count : room; }
-};
-
-// Nodes of one depth; their nodes follow each other in the next level. Where there is room for more nodes
-// than there are, those have no boxes.
+// Nodes of one depth, in any order; those below one follow each other in the next level. Where there is room
+// for more nodes than there are, those have no boxes.
 template <class Executor>
 struct CollapsedLevel {
+  std::uint64_t room = 1;
   ArrayOf<Executor, std::uint32_t> roots{}; // binary nodes
   ArrayOf<Executor, CollapsedNode> nodes{};
-  ArrayOf<Executor, std::uint32_t> first_child{}; // in the next level; one more: where the last one's end
+  ArrayOf<Executor, std::uint32_t> first_child{}; // in the next level
   ArrayOf<Executor, std::uint32_t> sizes{};       // nodes in the subtree
 };
 
@@ -221,60 +215,54 @@ struct CollapsedLevel {
 // level lie far apart.
 inline constexpr std::uint64_t nodes_ahead = 4;
 
+// Collapses the nodes of a level; returns the next one. `counts`: how many nodes are in this level and, from
+// 0 on, in the next one. Where its nodes may well be as many as there is room for, in a hierarchy of so many
+// leaves, the host doesn't wait to be told.
 template <class Executor>
-CollapsedLevel<Executor> collapsed_level(Executor& executor, const BinaryView& binary,
-                                         ArrayOf<Executor, std::uint32_t> roots,
-                                         const std::uint32_t* root_count) {
-  CollapsedLevel<Executor> level;
-  const std::uint64_t count = roots.size();
-  const LevelCount known{count, root_count};
-  level.roots = std::move(roots);
-  level.nodes = executor.template array<CollapsedNode>(count);
+CollapsedLevel<Executor> collapse_level(Executor& executor, const BinaryView& binary, std::uint64_t leaves,
+                                        ArrayOf<Executor, std::uint32_t>& counts, std::size_t depth,
+                                        CollapsedLevel<Executor>& level) {
+  const std::uint64_t most = boxes_per_node * level.room;
+  level.nodes = executor.template array<CollapsedNode>(level.room);
+  level.first_child = executor.template array<std::uint32_t>(level.room);
+  CollapsedLevel<Executor> below{most, executor.template array<std::uint32_t>(most)};
   CollapsedNode* const node = level.nodes.data();
+  std::uint32_t *const first_child = level.first_child.data(), *const count = counts.data() + depth,
+                       *const root_below = below.roots.data();
   const std::uint32_t* const root = level.roots.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    const std::uint64_t end = known();
-    if (i + 2 * nodes_ahead < end) binary.prefetch_pair(root[i + 2 * nodes_ahead]);
-    if (i + nodes_ahead < end) binary.prefetch_pair(binary.nodes[root[i + nodes_ahead]].index);
-    node[i] = i < end ? collapsed(binary, root[i]) : CollapsedNode{};
+  executor.for_each_part(level.room, [=] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
+    const std::uint64_t there = count[0];
+    std::uint32_t children = 0;
+    for (std::uint64_t i = begin; i != end; ++i) {
+      if (i + 2 * nodes_ahead < there) binary.prefetch_pair(root[i + 2 * nodes_ahead]);
+      if (i + nodes_ahead < there) binary.prefetch_pair(binary.nodes[root[i + nodes_ahead]].index);
+      node[i] = i < there ? collapsed(binary, root[i]) : CollapsedNode{};
+      children += count_bits(node[i].nodes);
+    }
+    std::uint32_t child = added_few(count[1], children);
+    for (std::uint64_t i = begin; i != end; ++i) {
+      first_child[i] = child;
+      for (std::uint32_t slot = 0; slot < node[i].count; ++slot)
+        if ((node[i].nodes >> slot & 1) != 0) root_below[child++] = node[i].boxes[slot];
+    }
   });
-  level.first_child =
-      sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) { return count_bits(node[i].nodes); });
-  return level;
-}
-
-// The binary nodes of the next level. Where its nodes may well be as many as there is room for, in a
-// hierarchy of so many leaves, the host doesn't wait to be told.
-template <class Executor>
-ArrayOf<Executor, std::uint32_t> child_roots(Executor& executor, const CollapsedLevel<Executor>& level,
-                                             std::uint64_t leaves) {
-  const std::uint64_t count = level.roots.size(), most = boxes_per_node * count;
-  auto roots = executor.template array<std::uint32_t>(
-      boxes_per_node * most <= leaves ? most : executor.value(level.first_child, count));
-  std::uint32_t* const root = roots.data();
-  const CollapsedNode* const node = level.nodes.data();
-  const std::uint32_t* const first_child = level.first_child.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    std::uint32_t child = first_child[i];
-    for (std::uint32_t slot = 0; slot < node[i].count; ++slot)
-      if ((node[i].nodes >> slot & 1) != 0) root[child++] = node[i].boxes[slot];
-  });
-  return roots;
+  if (boxes_per_node * most > leaves) below.room = executor.value(counts, depth + 1);
+  return below;
 }
 
 // `below`: null at the lowest level.
 template <class Executor>
 void count_subtrees(Executor& executor, CollapsedLevel<Executor>& level,
                     const CollapsedLevel<Executor>* below) {
-  const std::uint64_t count = level.roots.size();
-  level.sizes = executor.template array<std::uint32_t>(count);
+  level.sizes = executor.template array<std::uint32_t>(level.room);
   std::uint32_t* const size = level.sizes.data();
+  const CollapsedNode* const node = level.nodes.data();
   const std::uint32_t* const first_child = level.first_child.data();
   const std::uint32_t* const child_size = below != nullptr ? below->sizes.data() : nullptr;
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(level.room, [=] MASU_PASS(std::uint64_t i) {
     std::uint32_t sum = 1;
-    for (std::uint32_t child = first_child[i]; child != first_child[i + 1]; ++child)
-      sum += child_size[child];
+    for (std::uint32_t k = 0; k != count_bits(node[i].nodes); ++k)
+      sum += child_size[first_child[i] + k];
     size[i] = sum;
   });
 }
@@ -285,7 +273,7 @@ ArrayOf<Executor, NodePlace>
 write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<Executor>& level,
             const CollapsedLevel<Executor>* below, const ArrayOf<Executor, NodePlace>& places,
             ExecutorStructure<Executor>& structure) {
-  auto child_places = executor.template array<NodePlace>(below != nullptr ? below->roots.size() : 0);
+  auto child_places = executor.template array<NodePlace>(below != nullptr ? below->room : 0);
   const std::uint32_t *const root = level.roots.data(), *const first_child = level.first_child.data(),
                              *const child_size = below != nullptr ? below->sizes.data() : nullptr,
                              *const child_root = below != nullptr ? below->roots.data() : nullptr;
@@ -294,16 +282,15 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
   NodePlace* const child_place = child_places.data();
   HierarchyNode* const nodes = structure.nodes.data();
   PrimitiveIndex* const references = structure.references.data();
-  const std::uint64_t count = level.roots.size();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(level.room, [=, count = level.room] MASU_PASS(std::uint64_t i) {
     if (node[i].count == 0) return;
     if (const std::uint64_t next = i + nodes_ahead; next < count)
       for (std::uint32_t slot = 0; slot < node[next].count; ++slot)
         prefetch(binary.nodes + node[next].boxes[slot]);
-    const std::uint32_t children = first_child[i + 1] - first_child[i];
-    NodePlace next{place[i].first_node, place[i].first_node + children, place[i].first_reference};
+    const std::uint32_t first = first_child[i], end = first + count_bits(node[i].nodes);
+    NodePlace next{place[i].first_node, place[i].first_node + end - first, place[i].first_reference};
     next.first_reference += write_node(binary, root[i], node[i], place[i], nodes, references);
-    for (std::uint32_t child = first_child[i]; child != first_child[i + 1]; ++child) {
+    for (std::uint32_t child = first; child != end; ++child) {
       child_place[child] = next;
       ++next.node;
       next.first_node += child_size[child] - 1;
@@ -328,12 +315,17 @@ ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLa
     return structure;
   }
   const BinaryView binary{from.nodes.data(), from.choices.data()};
+  auto counts = executor.template zeros<std::uint32_t>(max_hierarchy_depth + 2);
+  CollapsedLevel<Executor> next{1, executor.template array<std::uint32_t>(1)};
+  std::uint32_t *const first_count = counts.data(), *const first_root = next.roots.data();
+  executor.for_each(1, [=] MASU_PASS(std::uint64_t) {
+    *first_count = 1;
+    *first_root = 0;
+  });
   std::vector<CollapsedLevel<Executor>> levels;
-  const std::uint32_t* root_count = nullptr;
-  for (auto roots = executor.template zeros<std::uint32_t>(1); roots.size() > 0;) {
-    levels.push_back(collapsed_level(executor, binary, std::move(roots), root_count));
-    roots = child_roots(executor, levels.back(), from.nodes.size() / 2);
-    root_count = levels.back().first_child.data() + levels.back().roots.size();
+  while (next.room > 0) {
+    levels.push_back(std::move(next));
+    next = collapse_level(executor, binary, from.nodes.size() / 2, counts, levels.size() - 1, levels.back());
   }
   from.choices = {};
   const auto below = [&](std::size_t level) {

@@ -48,12 +48,12 @@ struct MortonCurve {
     const double steps = (at - origin[axis]) / step;
     return steps > 0 ? static_cast<std::uint32_t>(std::min(steps, places - 1)) : 0;
   }
-  // Of a box's middle.
-  MASU_HD std::uint64_t code(const Boxf& box) const {
+  // Of a box's middle: so many bits, the highest ones.
+  MASU_HD std::uint64_t code(const Boxf& box, int bits) const {
     std::uint64_t code = 0;
     for (int axis = 0; axis < 3; ++axis)
       code |= spread_bits(place(0.5 * (static_cast<double>(box.min[axis]) + box.max[axis]), axis)) << axis;
-    return code;
+    return code >> (3 * bits_per_axis - bits);
   }
   // Across the middle half of a box's longest side: the first of the planes that halve the space, its halves,
   // and so on.
@@ -72,6 +72,10 @@ struct MortonCurve {
 // Leaves so many times as wide as all boxes are in the mean come first, wherever they are: where not all are
 // looked at, those are (top_down_passes.h).
 inline constexpr double largest_width = 16;
+
+// Of a leaf's place along the curve. The order matters where few of many leaves are looked at (leaf_split.h):
+// so far apart these are told from each other. More bits are sorted in more passes.
+inline constexpr int order_bits = 31;
 
 // Cuts of a primitive whose empty space is as wide as all boxes are in the mean.
 inline constexpr double cuts_per_width = 0.7;
@@ -189,7 +193,7 @@ struct EmitParts {
       divider.for_each_part(primitive, [&](const Boxf& box) {
         const std::uint64_t is_small =
             std::sqrt(divider.area(cast<double>(box))) < largest_width * divider.mean_width;
-        add(is_small << 3 * MortonCurve::bits_per_axis | divider.curve.code(box),
+        add(is_small << order_bits | divider.curve.code(box, order_bits),
             BinaryNode{box.min, index, box.max, 1});
       });
     });
@@ -202,8 +206,8 @@ HierarchyLeaves<Executor> hierarchy_leaves(Executor& executor, const Scene& scen
   const auto sum = joined_in_order<WidthSum>(executor, primitives, WidthOf<Scene>{scene});
   const double mean_width = static_cast<float>(sum.width / static_cast<double>(sum.count));
   const Divider<Scene> divider{scene, layout.margin, MortonCurve(layout.space), mean_width};
-  auto sorted = executor.template emit_sorted<BinaryNode>(primitives, 3 * MortonCurve::bits_per_axis + 1,
-                                                          max_numbered, EmitParts<Scene>{divider});
+  auto sorted = executor.template emit_sorted<BinaryNode>(primitives, order_bits + 1, max_numbered,
+                                                          EmitParts<Scene>{divider});
   HierarchyLeaves<Executor> made{std::move(sorted->values)};
   if (sum.area > least_spread * mean_width * sum.width) {
     const double width = large_width * mean_width;

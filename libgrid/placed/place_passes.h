@@ -270,7 +270,7 @@ struct UpperItems {
     const std::uint32_t world = is_placement ? parts.world[item] : every_world;
     const std::uint64_t group = world == every_world ? parts.world_count : world;
     const MortonCurve curve(padded_bounds<Stored>(around_all(parts, *pad.survey)));
-    return group << code_bits | curve.code(box(item)) >> (3 * MortonCurve::bits_per_axis - code_bits);
+    return group << code_bits | curve.code(box(item), code_bits);
   }
 };
 

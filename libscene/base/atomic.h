@@ -31,6 +31,23 @@ MASU_HD inline std::uint32_t added(std::uint32_t& sum, std::uint32_t value) {
 #endif
 }
 
+// The same of values below 16 on a device, where the threads of a warp that are there add together.
+MASU_HD inline std::uint32_t added_few(std::uint32_t& sum, std::uint32_t value) {
+#ifdef __CUDA_ARCH__
+  const unsigned there = __activemask(), lane = threadIdx.x % 32, first = __ffs(there) - 1;
+  std::uint32_t before = 0, all = 0;
+  for (unsigned bit = 0; bit < 4; ++bit) {
+    const unsigned have = __ballot_sync(there, (value >> bit & 1) != 0);
+    before += static_cast<std::uint32_t>(__popc(have & ((1U << lane) - 1))) << bit;
+    all += static_cast<std::uint32_t>(__popc(have)) << bit;
+  }
+  const std::uint32_t begin = lane == first ? atomicAdd(&sum, all) : 0;
+  return before + __shfl_sync(there, begin, static_cast<int>(first));
+#else
+  return added(sum, value);
+#endif
+}
+
 // Counts who comes to where threads meet: how many came before, of whom all that they wrote before is seen.
 MASU_HD inline std::uint32_t arrived(std::uint32_t& count) {
 #ifdef __CUDA_ARCH__

@@ -13,9 +13,10 @@ namespace masu {
 inline constexpr std::uint32_t most_in_small = 256;
 
 // A node's leaves, so many side by side in their order, and places after them for so many more; whether it is
-// the right one of a pair, or the root; and where it is small its number among those that are.
+// the right one of a pair, or the root; and its number among small ones, or its left child's among those of
+// the next level.
 struct LeafRange {
-  std::uint32_t first, count, room, is_right, small;
+  std::uint32_t first, count, room, is_right, number_there;
 
   MASU_HD bool is_small() const { return count <= most_in_small; }
   // A pair of nodes that is split before leaf s is nodes 2 s and 2 s + 1: so a range has the numbers of all

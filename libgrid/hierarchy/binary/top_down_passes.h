@@ -25,35 +25,32 @@ namespace masu {
 struct SplitNodes {
   const LeafRange* ranges;
   LevelCount count;
-  const std::uint32_t *first_children, *pairs;
+  const std::uint32_t* pairs;
   const CollapseCosts* small_costs;
 
   MASU_HD bool is_there(std::uint64_t i) const { return i < count(); }
   MASU_HD bool is_made(std::uint64_t i) const { return ranges[i].is_small(); }
-  MASU_HD const CollapseCosts& costs(std::uint64_t i) const { return small_costs[ranges[i].small]; }
+  MASU_HD const CollapseCosts& costs(std::uint64_t i) const { return small_costs[ranges[i].number_there]; }
   MASU_HD static bool is_leaf(std::uint64_t) { return false; }
   MASU_HD static BinaryNode leaf(std::uint64_t) { return {}; }
   MASU_HD std::uint64_t number(std::uint64_t i, std::uint64_t) const { return ranges[i].number(); }
-  MASU_HD std::uint32_t first_child(std::uint64_t i) const { return first_children[i]; }
+  MASU_HD std::uint32_t first_child(std::uint64_t i) const { return ranges[i].number_there; }
   MASU_HD std::uint64_t pair(std::uint64_t i, std::uint64_t) const { return pairs[i]; }
   MASU_HD static Boxf box(std::uint64_t, const BinaryNode& left, const BinaryNode& right) {
     return join(left.box(), right.box());
   }
 };
 
-// Nodes of one depth. The children of the first that isn't small are the first two of the next level, and so
-// on. There may be room for more than there are.
+// Nodes of one depth, in any order. There may be room for more than there are.
 template <class Executor>
 struct RangeLevel {
   LevelCount count{};
   ArrayOf<Executor, LeafRange> ranges{};
   ArrayOf<Executor, Boxf> spaces{}; // in which twice the centres of a range's leaves are; until it is split
-  ArrayOf<Executor, std::uint32_t> first_child{}, pairs{}; // pairs: the numbers of their left children
-  const CollapseCosts* small_costs = nullptr;              // of all levels' small ranges
+  ArrayOf<Executor, std::uint32_t> pairs{};   // the numbers of their left children
+  const CollapseCosts* small_costs = nullptr; // of all levels' small ranges
 
-  SplitNodes split_nodes() const {
-    return {ranges.data(), count, first_child.data(), pairs.data(), small_costs};
-  }
+  SplitNodes split_nodes() const { return {ranges.data(), count, pairs.data(), small_costs}; }
 };
 
 // Leaves sorted by their ranges in a level; by no_range, those of small ones.
@@ -66,32 +63,23 @@ struct LeafOrder {
         ranges(executor.template array<std::uint32_t>(count)) {}
 };
 
-// In any order: nothing depends on it.
-template <class Executor>
-struct SmallRanges {
-  ArrayOf<Executor, SmallRange> ranges;
-  ArrayOf<Executor, std::uint32_t> count;
+// Numbers ranges as they are made, in any order: nothing depends on it.
+struct RangeNumbers {
+  SmallRange* small;     // the small ones of all levels,
+  std::uint32_t* counts; // and how many they are; then of each depth how many ranges
 
-  // Each is a part of a range that isn't small, of which no level has more than fit into all leaves.
-  SmallRanges(const Executor& executor, std::uint64_t leaves)
-      : ranges(executor.template array<SmallRange>(2 * (max_hierarchy_depth * leaves / most_in_small + 1))),
-        count(executor.template zeros<std::uint32_t>(1)) {}
-};
-
-// Where small ranges are put.
-struct SmallList {
-  SmallRange* ranges;
-  std::uint32_t* count;
-
-  // A range of that depth, which is put on the list if it is small.
-  MASU_HD LeafRange range(std::uint32_t first, std::uint32_t count_of, std::uint32_t room, bool is_right,
-                          std::uint32_t depth) const {
-    LeafRange made{first, count_of, room, is_right ? 1U : 0U, 0};
-    if (made.is_small()) {
-      made.small = added(*count, 1);
-      ranges[made.small] = {first, count_of, room, made.is_right, depth};
+  MASU_HD static std::uint32_t place(std::uint32_t depth) { return 1 + depth; }
+  // Of a range of that depth; two of the next one where it is large.
+  MASU_HD LeafRange numbered(std::uint32_t first, std::uint32_t count, std::uint32_t room, bool is_right,
+                             std::uint32_t depth) const {
+    LeafRange range{first, count, room, is_right ? 1U : 0U, 0};
+    if (range.is_small()) {
+      range.number_there = added(counts[0], 1);
+      small[range.number_there] = {first, count, room, range.is_right, depth};
+    } else {
+      range.number_there = added(counts[place(depth + 1)], 2);
     }
-    return made;
+    return range;
   }
 };
 
@@ -134,18 +122,16 @@ template <class Executor>
 RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const LargeLeaves& large,
                                  const TrianglesOfEither& triangle, std::uint32_t depth,
                                  RangeLevel<Executor>& level, LeafOrder<Executor>& order,
-                                 const SmallList& small) {
+                                 LeafOrder<Executor>& next, const RangeNumbers& numbers,
+                                 const ArrayOf<Executor, std::uint32_t>& counts) {
   const std::uint64_t range_count = level.ranges.size(), count = order.leaves.size();
   const LeafRange* const range = level.ranges.data();
   const LevelCount ranges_there = level.count;
-  level.first_child = sums_before(executor, range_count, [=] MASU_PASS(std::uint64_t i) {
-    return i < ranges_there() && !range[i].is_small() ? 2U : 0U;
-  });
   const std::uint64_t most_large = count / (most_in_small + 1);
   const bool may_be_full = most_large >> depth > 0;
-  const std::uint64_t child_count =
-      may_be_full ? 2 * std::min(range_count, most_large) : executor.value(level.first_child, range_count);
-  RangeLevel<Executor> below{{child_count, level.first_child.data() + range_count},
+  const std::uint64_t child_count = may_be_full ? 2 * std::min(range_count, most_large)
+                                                : executor.value(counts, RangeNumbers::place(depth + 1));
+  RangeLevel<Executor> below{{child_count, counts.data() + RangeNumbers::place(depth + 1)},
                              executor.template array<LeafRange>(child_count),
                              executor.template array<Boxf>(child_count)};
   if (child_count == 0) return below;
@@ -167,7 +153,7 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
     const std::uint32_t own = range_of[i];
     return own != no_range && split[own].is_left(leaf[ordered_leaf[i]]);
   });
-  const std::uint32_t *const first_child = level.first_child.data(), *const left_before = left_sums.data();
+  const std::uint32_t* const left_before = left_sums.data();
   std::uint32_t* const pair = level.pairs.data();
   LeafRange* const child = below.ranges.data();
   Boxf* const child_space = below.spaces.data();
@@ -181,14 +167,13 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
     }
     const std::uint32_t left_room = room_of_left(room, left, in_range), right = first + left + left_room;
     pair[i] = 2 * right;
-    const std::uint32_t at = first_child[i];
-    child[at] = small.range(first, left, left_room, false, depth + 1);
-    child[at + 1] = small.range(right, in_range - left, room - left_room, true, depth + 1);
+    const std::uint32_t at = range[i].number_there;
+    child[at] = numbers.numbered(first, left, left_room, false, depth + 1);
+    child[at + 1] = numbers.numbered(right, in_range - left, room - left_room, true, depth + 1);
     const SplitSpaces spaces(space[i], split[i]);
     child_space[at] = spaces.left;
     child_space[at + 1] = spaces.right;
   });
-  LeafOrder<Executor> next(executor, count);
   std::uint32_t *const next_leaf = next.leaves.data(), *const next_range_of = next.ranges.data();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     const std::uint32_t own = range_of[i];
@@ -197,7 +182,7 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
       next_leaf[i] = ordered_leaf[i];
       return;
     }
-    const std::uint32_t first = range[own].first, left_child = first_child[own],
+    const std::uint32_t first = range[own].first, left_child = range[own].number_there,
                         in_range = static_cast<std::uint32_t>(i) - first;
     const LeafRange on_left = child[left_child], on_right = child[left_child + 1];
     const bool halved = split[own].axis < 0;
@@ -212,7 +197,7 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
     next_range_of[at] = (is_left ? on_left : on_right).is_small() ? no_range : left_child + (is_left ? 0 : 1);
     next_leaf[at] = ordered_leaf[i];
   });
-  order = std::move(next);
+  std::swap(order, next);
   level.spaces = {};
   return below;
 }
@@ -240,36 +225,40 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, HierarchyLeaves
   if (large.room > 0) leaves = with_room(executor, leaves, large.room);
   const std::uint64_t count = leaves.size();
   BinaryNode* const leaf = leaves.data();
-  LeafOrder<Executor> order(executor, count);
+  LeafOrder<Executor> order(executor, count), next_order(executor, count);
   std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
   const bool is_small = count - large.room <= most_in_small;
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     ordered_leaf[i] = static_cast<std::uint32_t>(i);
     range_of[i] = is_small ? no_range : 0;
   });
-  SmallRanges<Executor> small(executor, count);
-  const SmallList list{small.ranges.data(), small.count.data()};
+  // Each small range is a part of one that isn't, of which no level has more than fit into all leaves.
+  auto small = executor.template array<SmallRange>(2 * (max_hierarchy_depth * count / most_in_small + 1));
+  auto counts = executor.template zeros<std::uint32_t>(max_hierarchy_depth + 3);
+  const RangeNumbers numbers{small.data(), counts.data()};
   RangeLevel<Executor> next{
       {1, nullptr}, executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
   LeafRange* const all = next.ranges.data();
   Boxf* const space = next.spaces.data();
   executor.for_each(
       1, [=, room = large.room, centres = twice(cast<float>(scene_space))] MASU_PASS(std::uint64_t) {
-        *all = list.range(0, static_cast<std::uint32_t>(count) - room, room, true, 0);
+        *all = numbers.numbered(0, static_cast<std::uint32_t>(count) - room, room, true, 0);
         *space = centres;
       });
   std::vector<RangeLevel<Executor>> levels;
   while (next.ranges.size() > 0) {
     const auto depth = static_cast<std::uint32_t>(levels.size());
     levels.push_back(std::move(next));
-    next = split_level(executor, leaf, large, triangle, depth, levels.back(), order, list);
+    next = split_level(executor, leaf, large, triangle, depth, levels.back(), order, next_order, numbers,
+                       counts);
   }
-  const std::uint32_t small_count = executor.value(small.count, 0);
+  next_order = {executor, 0};
+  const std::uint32_t small_count = executor.value(counts, 0);
   auto small_costs = executor.template array<CollapseCosts>(small_count);
   BinaryHierarchy<Executor> hierarchy = room_for_nodes(executor, 2 * count);
-  executor.for_each_by_group(small_count, SplitSmallRanges{leaf, order.leaves.data(), small.ranges.data(),
-                                                           hierarchy.nodes.data(), hierarchy.choices.data(),
-                                                           small_costs.data()});
+  executor.for_each_by_group(small_count,
+                             SplitSmallRanges{leaf, order.leaves.data(), small.data(), hierarchy.nodes.data(),
+                                              hierarchy.choices.data(), small_costs.data()});
   for (RangeLevel<Executor>& level : levels)
     level.small_costs = small_costs.data();
   combine(executor, std::move(levels), hierarchy);
