@@ -71,9 +71,16 @@ struct LeafSample {
     const auto share = [=](std::uint32_t all, const auto& each) {
       constexpr std::uint32_t warp = 32;
       const std::uint32_t own = (all + threads - 1) / threads;
-      const bool is_of_block = threads > warp;
-      const std::uint32_t end = is_of_block ? std::min(all, (thread + 1) * own) : all;
-      for (std::uint32_t k = is_of_block ? thread * own : thread; k < end; k += is_of_block ? 1 : threads)
+      if (threads <= warp) {
+        for (std::uint32_t k = thread; k < all; k += threads)
+          each(k);
+        return;
+      }
+      const std::uint32_t end = std::min(all, (thread + 1) * own);
+#ifdef __CUDA_ARCH__
+#pragma unroll 4 // so many are on their way
+#endif
+      for (std::uint32_t k = thread * own; k < end; ++k)
         each(k);
     };
     share(first, [&](std::uint32_t i) { act(i, 1U); });

@@ -5,6 +5,7 @@
 #include "libgrid/hierarchy/binary/fragment_split_passes.h"
 #include "libgrid/hierarchy/binary/large_leaves.h"
 #include "libgrid/hierarchy/binary/small_ranges.h"
+#include "libscene/base/fetch.h"
 
 #include <algorithm>
 
@@ -36,7 +37,7 @@ struct SplitRanges {
   MASU_HD void operator()(const ThreadGroup& group, Scratch& scratch, std::uint64_t i) const {
     if (i >= count() || ranges[i].is_small()) return;
     const LeafRange range = ranges[i];
-    const auto leaf = [&](std::uint32_t k) -> const BinaryNode& { return leaves[order[range.first + k]]; };
+    const auto leaf = [&](std::uint32_t k) { return fetched(leaves + order[range.first + k]); };
     LeafSplit best;
     if (range.count <= most) best = cheapest_split(group, scratch, range.count, spaces[i], leaf);
     if (group.thread_rank() == 0) splits[i] = best;
@@ -112,7 +113,7 @@ struct SplitAtPlanes {
     const LeafSample sample(range.count);
     const auto for_each_leaf = [&](const auto& act) {
       sample.for_each(group.thread_rank(), group.size(), [&](std::uint32_t k, std::uint32_t stands_for) {
-        act(ranges.leaves[ranges.order[range.first + k]], stands_for);
+        act(fetched(ranges.leaves + ranges.order[range.first + k]), stands_for);
       });
     };
     if (group.thread_rank() == 0) scratch.box = empty_box<float>();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/hierarchy/binary/leaf_split.h"
+#include "libscene/passes/thread_group.h"
 
 #include <algorithm>
 
@@ -82,6 +83,31 @@ MASU_HD inline LeafSplit cheapest_along(int axis, const LeafBins& along, const S
   return best;
 }
 
+// The same by a warp's threads, a bin each: of each bin all up to it, and all from it on.
+template <class Tile>
+MASU_HD LeafSplit cheapest_by_lanes(const Tile& tile, const LeafBins (&along)[3], const SplitScratch& scratch,
+                                    std::uint32_t count) {
+  const std::uint32_t bin = tile.thread_rank(), bins = static_cast<std::uint32_t>(along[0].count);
+  LeafSplit best, split;
+  for (split.axis = 0; split.axis < 3; ++split.axis) {
+    auto left = scratch.bins[split.axis][min(bin, bins - 1)];
+    if (bin >= bins) left = {empty_box<float>(), 0};
+    Boxf right = left.box;
+    for (std::uint32_t apart = 1; apart < max_bins; apart *= 2) {
+      const auto before = tile.of_lane(left, bin - apart);
+      const Boxf after = tile.of_lane(right, bin + apart);
+      if (bin >= apart) left = {join(left.box, before.box), left.count + before.count};
+      if (bin + apart < max_bins) right = join(right, after);
+    }
+    right = tile.of_lane(right, bin + 1);
+    if (bin + 1 >= bins || left.count == 0 || left.count == count) continue;
+    split.cost = cost_of(left.box, left.count, right, count - left.count);
+    split.place = along[split.axis].end(static_cast<std::int32_t>(bin));
+    if (comes_before(split, best)) best = split;
+  }
+  return tile.first_of_all(best);
+}
+
 // The same of more leaves. `space`: twice where they may be.
 template <class ThreadGroup, class Leaf>
 MASU_HD LeafSplit cheapest_split(const ThreadGroup& group, SplitScratch& scratch, std::uint32_t count,
@@ -115,12 +141,19 @@ MASU_HD LeafSplit cheapest_split(const ThreadGroup& group, SplitScratch& scratch
     }
   });
   group.sync();
-  LeafSplit best;
-  for (auto axis = static_cast<int>(group.thread_rank()); axis < 3; axis += static_cast<int>(group.size())) {
-    const LeafSplit split = cheapest_along(axis, along[axis], scratch, count);
-    if (comes_before(split, best)) best = split;
+  if constexpr (requires { group.of_lane(scratch.centres, 0); }) {
+    return cheapest_by_lanes(group, along, scratch, count);
+  } else if constexpr (requires { group.template tile<max_bins>().of_lane(scratch.centres, 0); }) {
+    if (group.thread_rank() >= max_bins) return {};
+    return cheapest_by_lanes(group.template tile<max_bins>(), along, scratch, count);
+  } else {
+    LeafSplit best;
+    for (int axis = 0; axis < 3; ++axis) {
+      const LeafSplit split = cheapest_along(axis, along[axis], scratch, count);
+      if (comes_before(split, best)) best = split;
+    }
+    return best;
   }
-  return group.first_of_all(best);
 }
 
 } // namespace masu
