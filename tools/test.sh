@@ -8,7 +8,7 @@ source tools/setup.sh
 require "${basics[@]}" libgtest-dev -- "${tests[@]}" "${extras[@]}"
 find_cuda
 
-echo "== building programs and tests: some eight minutes on two cores, with CUDA three more"
+echo "== building programs and tests: some nine minutes on two cores, with CUDA seven more"
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=ON "${cuda_options[@]}"
 
 echo "== tests"
