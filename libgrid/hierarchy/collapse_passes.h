@@ -231,7 +231,7 @@ CollapsedLevel<Executor> collapse_level(Executor& executor, const BinaryView& bi
                        *const root_below = below.roots.data();
   const std::uint32_t* const root = level.roots.data();
   executor.for_each_part(level.room, [=] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
-    const std::uint64_t there = count[0];
+    const std::uint64_t there = depth == 0 ? 1 : count[0];
     std::uint32_t children = 0;
     for (std::uint64_t i = begin; i != end; ++i) {
       if (i + 2 * nodes_ahead < there) binary.prefetch_pair(root[i + 2 * nodes_ahead]);
@@ -316,12 +316,7 @@ ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLa
   }
   const BinaryView binary{from.nodes.data(), from.choices.data()};
   auto counts = executor.template zeros<std::uint32_t>(max_hierarchy_depth + 2);
-  CollapsedLevel<Executor> next{1, executor.template array<std::uint32_t>(1)};
-  std::uint32_t *const first_count = counts.data(), *const first_root = next.roots.data();
-  executor.for_each(1, [=] MASU_PASS(std::uint64_t) {
-    *first_count = 1;
-    *first_root = 0;
-  });
+  CollapsedLevel<Executor> next{1, executor.template zeros<std::uint32_t>(1)};
   std::vector<CollapsedLevel<Executor>> levels;
   while (next.room > 0) {
     levels.push_back(std::move(next));

@@ -122,10 +122,8 @@ struct InvertPlacement {
   PlacedParts<Stored> parts;
   MovedTransforms transforms;
   Placement<Stored>* placements = nullptr;
-  std::uint32_t* listed_count = nullptr; // becomes 0: a launch less than to clear it
 
   MASU_HD PlacedSurvey<Stored> operator()(std::uint64_t i) const {
-    if (i == 0) *listed_count = 0;
     PlacedSurvey<Stored> survey;
     const PlacedMesh<Stored>& mesh = parts.meshes[parts.mesh[i]];
     Placement<Stored> placement{};
@@ -295,18 +293,19 @@ Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedFindings<Store
   return bounds;
 }
 
-// `listed`: placements that PadPlacement listed; their number is before the first.
+// `listed`: placements that PadPlacement listed.
 template <class Executor, class Stored>
 ArrayOf<Executor, PlacedFindings<Stored>>
 searched(const Executor& executor, const PlacedParts<Stored>& parts, const PlacedSurvey<Stored>* survey,
-         const Placement<Stored>* placements, const std::uint32_t* listed) {
+         const Placement<Stored>* placements, const std::uint32_t* listed,
+         const std::uint32_t* listed_count) {
   auto bounds_there = executor.template array<Box<Stored>>(parts.count);
   Box<Stored>* const bounds = bounds_there.data();
   const std::uint32_t groups = min(parts.count, 4096U); // fill any device; few are listed
   executor.for_each_by_group(
-      groups, SearchListed<Stored>{parts, survey, placements, listed, listed - 1, bounds, groups});
+      groups, SearchListed<Stored>{parts, survey, placements, listed, listed_count, bounds, groups});
   return executor.template joined<PlacedFindings<Stored>>(
-      parts.count, FindingsOf<Stored>{survey, placements, listed - 1, bounds});
+      parts.count, FindingsOf<Stored>{survey, placements, listed_count, bounds});
 }
 
 // `before`: where those are that don't move. Throws as last_moves() and checked_bounds() do. A device is
@@ -319,11 +318,12 @@ PlacedArrays<Executor, Stored> placed(const Executor& executor, const PlacedPart
   PlacedArrays<Executor, Stored> made{parts, executor.template array<Transform>(parts.count),
                                       executor.template array<Placement<Stored>>(parts.count)};
   Placement<Stored>* const placements = made.placements.data();
-  auto listed_there = executor.template array<std::uint32_t>(parts.count + std::uint64_t{1});
-  std::uint32_t *const listed_count = listed_there.data(), *const listed = listed_count + 1;
+  auto listed_there = executor.template array<std::uint32_t>(parts.count);
+  auto listed_count_there = executor.template zeros<std::uint32_t>(1);
+  std::uint32_t *const listed = listed_there.data(), *const listed_count = listed_count_there.data();
   const MovedTransforms transforms{moves, last.data(), before, made.transforms.data()};
   const auto survey_there = executor.template joined<PlacedSurvey<Stored>>(
-      parts.count, InvertPlacement<Stored>{parts, transforms, placements, listed_count});
+      parts.count, InvertPlacement<Stored>{parts, transforms, placements});
   const PlacedSurvey<Stored>* const survey = survey_there.data();
 
   const std::uint64_t items =
@@ -337,7 +337,7 @@ PlacedArrays<Executor, Stored> placed(const Executor& executor, const PlacedPart
   ArrayOf<Executor, PlacedFindings<Stored>> found;
   const auto check = [&] { made.bounds = checked_bounds(parts, beside.value(found, 0)); };
   try {
-    found = searched(beside, parts, survey, placements, listed);
+    found = searched(beside, parts, survey, placements, listed, listed_count);
     if constexpr (!Executor::has_warps) check();
     std::tie(made.upper_nodes, made.roots) =
         upper_hierarchies(executor, sorted, arrivals.data(), worlds, upper);

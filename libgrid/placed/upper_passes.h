@@ -208,7 +208,7 @@ upper_hierarchies(const Executor& executor, const Sorted<Executor, std::uint32_t
   auto roots = executor.template array<std::uint32_t>(groups);
   auto contents = executor.template array<TreeSide>(nodes.size());
   auto tree = executor.template array<RangeNode>(count);
-  auto widths = executor.template array<std::uint32_t>(static_cast<std::uint64_t>(levels) + 1);
+  auto widths = executor.template zeros<std::uint32_t>(static_cast<std::uint64_t>(levels) + 1);
   const UpperArrays upper{
       sorted.keys.data(), sorted.values.data(), count,        groups,          tree.data(),
       arrivals,           roots.data(),         nodes.data(), contents.data(), widths.data()};
@@ -218,8 +218,7 @@ upper_hierarchies(const Executor& executor, const Sorted<Executor, std::uint32_t
       upper.add_item(item, made.box(upper.items[item]));
     else
       upper.add_group(static_cast<std::uint32_t>(i - count));
-    for (std::uint64_t level = 0; i == count && level <= static_cast<std::uint64_t>(levels); ++level)
-      upper.widths[level] = level == 0 ? groups : 0;
+    if (i == count) upper.widths[0] = groups;
   });
   std::uint64_t most = groups; // nodes of a level: each has items of its own
   for (int level = 0; level < levels; ++level, most = std::min(8 * most, std::uint64_t{count}))

@@ -8,6 +8,7 @@
 #include <cuda_runtime.h>
 
 #include <cstdint>
+#include <memory>
 #include <source_location>
 #include <span>
 #include <string>
@@ -147,8 +148,13 @@ public:
       : DeviceArray(count, memory) {
     if (count > 0) check(cudaMemcpyAsync(data_, host, count * sizeof(T), cudaMemcpyHostToDevice, stream_));
   }
+  // Of a larger array, some bytes after its beginning.
+  DeviceArray(const std::shared_ptr<const DeviceArray<std::uint8_t>>& of, std::size_t offset,
+              std::size_t count)
+      : data_(reinterpret_cast<T*>(of->data() + offset)), count_(count), stream_(of->stream()), of_(of) {}
   DeviceArray(DeviceArray&& other) noexcept { *this = std::move(other); }
   DeviceArray& operator=(DeviceArray&& other) noexcept {
+    std::swap(of_, other.of_);
     std::swap(data_, other.data_);
     std::swap(count_, other.count_);
     std::swap(stream_, other.stream_);
@@ -157,11 +163,12 @@ public:
   DeviceArray(const DeviceArray&) = delete;
   DeviceArray& operator=(const DeviceArray&) = delete;
   ~DeviceArray() {
-    if (data_ != nullptr) static_cast<void>(cudaFreeAsync(data_, stream_));
+    if (data_ != nullptr && of_ == nullptr) static_cast<void>(cudaFreeAsync(data_, stream_));
   }
 
   T* data() const { return data_; }
   std::size_t size() const { return count_; }
+  cudaStream_t stream() const { return stream_; }
   void clear() const {
     if (count_ > 0) check(cudaMemsetAsync(data_, 0, count_ * sizeof(T), stream_));
   }
@@ -176,6 +183,7 @@ private:
   T* data_ = nullptr;
   std::size_t count_ = 0;
   cudaStream_t stream_ = nullptr;
+  std::shared_ptr<const DeviceArray<std::uint8_t>> of_{}; // lives as long; null: none
 };
 
 // What arrays are in that are made on a device.

@@ -33,10 +33,11 @@ public:
 
   template <class T>
   Array<T> array(std::uint64_t count) const {
-    return Array<T>(count, memory_);
+    return is_small<T>(count) ? small<T>(count) : Array<T>(count, memory_);
   }
   template <class T>
   Array<T> zeros(std::uint64_t count) const {
+    if (is_small<T>(count)) return small<T>(count);
     Array<T> values(count, memory_);
     values.clear();
     return values;
@@ -76,9 +77,9 @@ public:
         1U, static_cast<unsigned>(std::min(max_blocks, (count + kernels::threads - 1) / kernels::threads)));
     check_progress(progress_);
     auto parts = array<Part>(1 + std::uint64_t{blocks});
-    if (arrivals_.size() == 0) arrivals_ = zeros<std::uint32_t>(1);
+    const auto arrivals = zeros<std::uint32_t>(1);
     launch(kernels::join_all<Part, Act>, blocks, kernels::threads, memory_.stream, count, act, parts.data(),
-           arrivals_.data());
+           arrivals.data());
     return parts;
   }
   template <class T>
@@ -165,6 +166,26 @@ public:
 private:
   struct Beside;
 
+  // Small arrays are parts of one that was cleared as a whole, each only once: to allocate one, to clear it
+  // and to give it back takes the host as long as a launch.
+  static constexpr std::size_t most_small_bytes = 4096, block_bytes = std::size_t{1} << 18, aligned_to = 256;
+  template <class T>
+  static bool is_small(std::uint64_t count) {
+    return count > 0 && count <= most_small_bytes / sizeof(T);
+  }
+  template <class T>
+  Array<T> small(std::uint64_t count) const {
+    if (block_ == nullptr || used_ + most_small_bytes > block_bytes) {
+      const auto block = std::make_shared<const Array<std::uint8_t>>(block_bytes, memory_);
+      block->clear();
+      block_ = block;
+      used_ = 0;
+    }
+    const std::size_t begin = used_;
+    used_ += (count * sizeof(T) + aligned_to - 1) / aligned_to * aligned_to;
+    return Array<T>(block_, begin, count);
+  }
+
   template <class T, class Of>
   void sum_by_block(Array<T>& sums, const Of& of) const {
     launch(kernels::sum_by_block<T, Of>, 1, kernels::summing_threads, memory_.stream, sums.data(),
@@ -204,7 +225,8 @@ private:
 
   StreamMemory memory_; // by default of the default stream
   const ProgressMonitor* progress_;
-  mutable Array<std::uint32_t> arrivals_; // of blocks that join; 0 between kernels
+  mutable std::shared_ptr<const Array<std::uint8_t>> block_; // of small arrays,
+  mutable std::size_t used_ = 0;                             // so many bytes of which are used
   mutable std::shared_ptr<const Beside> beside_;
 };
 

@@ -25,7 +25,7 @@ __device__ Part read_past_l1(const Part* from) {
   return std::bit_cast<Part>(words);
 }
 
-// Each block joins its share; the last to come joins what they have left.
+// Each block joins its share; the last to come joins what they have left. `arrivals`: 0.
 template <class Part, class Act>
 __global__ void __launch_bounds__(threads)
     join_all(std::uint64_t count, const __grid_constant__ Act act, Part* parts, std::uint32_t* arrivals) {
@@ -38,7 +38,6 @@ __global__ void __launch_bounds__(threads)
   if (threadIdx.x == 0) {
     parts[1 + blockIdx.x] = own;
     is_last = arrived(*arrivals) == gridDim.x - 1;
-    if (is_last) *arrivals = 0; // for the next kernel
   }
   __syncthreads();
   if (!is_last) return;
