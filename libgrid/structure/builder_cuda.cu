@@ -88,7 +88,10 @@ public:
     });
   }
   ~CudaBuilder() override {
-    on_device_if_possible(gpu_, [&] { device_.reset(); });
+    on_device_if_possible(gpu_, [&] {
+      executor_.reset();
+      device_.reset();
+    });
   }
   CudaBuilder(const CudaBuilder&) = delete;
   CudaBuilder& operator=(const CudaBuilder&) = delete;
