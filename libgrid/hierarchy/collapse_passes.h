@@ -215,9 +215,9 @@ struct CollapsedLevel {
 // level lie far apart.
 inline constexpr std::uint64_t nodes_ahead = 4;
 
-// Collapses the nodes of a level; returns the next one. `counts`: how many nodes are in this level and, from
-// 0 on, in the next one. Where its nodes may well be as many as there is room for, in a hierarchy of so many
-// leaves, the host doesn't wait to be told.
+// Collapses the nodes of a level; returns the next one. `counts`: of each depth, but for the root's, how many
+// nodes there are; 0 of the next one. Where its nodes may well be as many as there is room for, in a
+// hierarchy of so many leaves, the host doesn't wait to be told.
 template <class Executor>
 CollapsedLevel<Executor> collapse_level(Executor& executor, const BinaryView& binary, std::uint64_t leaves,
                                         ArrayOf<Executor, std::uint32_t>& counts, std::size_t depth,
