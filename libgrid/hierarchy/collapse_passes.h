@@ -200,11 +200,19 @@ MASU_HD inline std::uint32_t write_node(const BinaryView& binary, std::uint32_t 
   return listed;
 }
 
+// How many records a level has, as passes know it, of which there may be room for more.
+struct LevelCount {
+  std::uint64_t room;
+  const std::uint32_t* count; // null: as many
+
+  MASU_HD std::uint64_t operator()() const { return count != nullptr ? *count : room; }
+};
+
 // Nodes of one depth, in any order; those below one follow each other in the next level. Where there is room
 // for more nodes than there are, those have no boxes.
 template <class Executor>
 struct CollapsedLevel {
-  std::uint64_t room = 1;
+  LevelCount count;
   ArrayOf<Executor, std::uint32_t> roots{}; // binary nodes
   ArrayOf<Executor, CollapsedNode> nodes{};
   ArrayOf<Executor, std::uint32_t> first_child{}; // in the next level
@@ -222,16 +230,16 @@ template <class Executor>
 CollapsedLevel<Executor> collapse_level(Executor& executor, const BinaryView& binary, std::uint64_t leaves,
                                         ArrayOf<Executor, std::uint32_t>& counts, std::size_t depth,
                                         CollapsedLevel<Executor>& level) {
-  const std::uint64_t most = boxes_per_node * level.room;
-  level.nodes = executor.template array<CollapsedNode>(level.room);
-  level.first_child = executor.template array<std::uint32_t>(level.room);
-  CollapsedLevel<Executor> below{most, executor.template array<std::uint32_t>(most)};
+  const std::uint64_t room = level.count.room, most = boxes_per_node * room;
+  level.nodes = executor.template array<CollapsedNode>(room);
+  level.first_child = executor.template array<std::uint32_t>(room);
+  std::uint32_t* const below_count = counts.data() + depth + 1;
+  CollapsedLevel<Executor> below{{most, below_count}, executor.template array<std::uint32_t>(most)};
   CollapsedNode* const node = level.nodes.data();
-  std::uint32_t *const first_child = level.first_child.data(), *const count = counts.data() + depth,
-                       *const root_below = below.roots.data();
+  std::uint32_t *const first_child = level.first_child.data(), *const root_below = below.roots.data();
   const std::uint32_t* const root = level.roots.data();
-  executor.for_each_part(level.room, [=] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
-    const std::uint64_t there = depth == 0 ? 1 : count[0];
+  executor.for_each_part(room, [=, count = level.count] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
+    const std::uint64_t there = count();
     std::uint32_t children = 0;
     for (std::uint64_t i = begin; i != end; ++i) {
       if (i + 2 * nodes_ahead < there) binary.prefetch_pair(root[i + 2 * nodes_ahead]);
@@ -239,14 +247,14 @@ CollapsedLevel<Executor> collapse_level(Executor& executor, const BinaryView& bi
       node[i] = i < there ? collapsed(binary, root[i]) : CollapsedNode{};
       children += count_bits(node[i].nodes);
     }
-    std::uint32_t child = added_few(count[1], children);
+    std::uint32_t child = added_few(*below_count, children);
     for (std::uint64_t i = begin; i != end; ++i) {
       first_child[i] = child;
       for (std::uint32_t slot = 0; slot < node[i].count; ++slot)
         if ((node[i].nodes >> slot & 1) != 0) root_below[child++] = node[i].boxes[slot];
     }
   });
-  if (boxes_per_node * most > leaves) below.room = executor.value(counts, depth + 1);
+  if (boxes_per_node * most > leaves) below.count.room = executor.value(counts, depth + 1);
   return below;
 }
 
@@ -254,12 +262,12 @@ CollapsedLevel<Executor> collapse_level(Executor& executor, const BinaryView& bi
 template <class Executor>
 void count_subtrees(Executor& executor, CollapsedLevel<Executor>& level,
                     const CollapsedLevel<Executor>* below) {
-  level.sizes = executor.template array<std::uint32_t>(level.room);
+  level.sizes = executor.template array<std::uint32_t>(level.count.room);
   std::uint32_t* const size = level.sizes.data();
   const CollapsedNode* const node = level.nodes.data();
   const std::uint32_t* const first_child = level.first_child.data();
   const std::uint32_t* const child_size = below != nullptr ? below->sizes.data() : nullptr;
-  executor.for_each(level.room, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(level.count.room, [=] MASU_PASS(std::uint64_t i) {
     std::uint32_t sum = 1;
     for (std::uint32_t k = 0; k != count_bits(node[i].nodes); ++k)
       sum += child_size[first_child[i] + k];
@@ -273,7 +281,7 @@ ArrayOf<Executor, NodePlace>
 write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<Executor>& level,
             const CollapsedLevel<Executor>* below, const ArrayOf<Executor, NodePlace>& places,
             ExecutorStructure<Executor>& structure) {
-  auto child_places = executor.template array<NodePlace>(below != nullptr ? below->room : 0);
+  auto child_places = executor.template array<NodePlace>(below != nullptr ? below->count.room : 0);
   const std::uint32_t *const root = level.roots.data(), *const first_child = level.first_child.data(),
                              *const child_size = below != nullptr ? below->sizes.data() : nullptr,
                              *const child_root = below != nullptr ? below->roots.data() : nullptr;
@@ -282,7 +290,7 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
   NodePlace* const child_place = child_places.data();
   HierarchyNode* const nodes = structure.nodes.data();
   PrimitiveIndex* const references = structure.references.data();
-  executor.for_each(level.room, [=, count = level.room] MASU_PASS(std::uint64_t i) {
+  executor.for_each(level.count.room, [=, count = level.count.room] MASU_PASS(std::uint64_t i) {
     if (node[i].count == 0) return;
     if (const std::uint64_t next = i + nodes_ahead; next < count)
       for (std::uint32_t slot = 0; slot < node[next].count; ++slot)
@@ -316,9 +324,9 @@ ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLa
   }
   const BinaryView binary{from.nodes.data(), from.choices.data()};
   auto counts = executor.template zeros<std::uint32_t>(max_hierarchy_depth + 2);
-  CollapsedLevel<Executor> next{1, executor.template zeros<std::uint32_t>(1)};
+  CollapsedLevel<Executor> next{{1, nullptr}, executor.template zeros<std::uint32_t>(1)};
   std::vector<CollapsedLevel<Executor>> levels;
-  while (next.room > 0) {
+  while (next.count.room > 0) {
     levels.push_back(std::move(next));
     next = collapse_level(executor, binary, from.nodes.size() / 2, counts, levels.size() - 1, levels.back());
   }

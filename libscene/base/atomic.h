@@ -34,7 +34,7 @@ MASU_HD inline std::uint32_t added(std::uint32_t& sum, std::uint32_t value) {
 // The same of values below 16 on a device, where the threads of a warp that are there add together.
 MASU_HD inline std::uint32_t added_few(std::uint32_t& sum, std::uint32_t value) {
 #ifdef __CUDA_ARCH__
-  const unsigned there = __activemask(), lane = threadIdx.x % 32, first = __ffs(there) - 1;
+  const unsigned there = __activemask(), lane = threadIdx.x % lanes_per_warp, first = __ffs(there) - 1;
   std::uint32_t before = 0, all = 0;
   for (unsigned bit = 0; bit < 4; ++bit) {
     const unsigned have = __ballot_sync(there, (value >> bit & 1) != 0);

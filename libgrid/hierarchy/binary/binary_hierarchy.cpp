@@ -272,9 +272,7 @@ private:
     }
     for (std::uint32_t i = 0; i != added; ++i) {
       const auto& [fragment, parts] = divided[i];
-      BinaryNode& below = range.first[fragment];
-      range.first[range.count++] = {parts.above.min, below.index, parts.above.max, 0};
-      below = {parts.below.min, below.index, parts.below.max, 0};
+      put_parts(parts, 0, range.first[fragment], range.first[range.count++]);
     }
     range.places -= added;
     range.room -= added;

@@ -64,6 +64,11 @@ struct Sides {
 
   MASU_HD bool are_two() const { return !is_empty(below) && !is_empty(above); }
 };
+// Those of what has a box, one where it was.
+MASU_HD inline void put_parts(const Sides& parts, std::uint32_t count, BinaryNode& below, BinaryNode& above) {
+  above = {parts.above.min, below.index, parts.above.max, count};
+  below = {parts.below.min, below.index, parts.below.max, count};
+}
 template <class Primitive>
 MASU_HD Sides sides_with_margin(const Primitive& primitive, int axis, double plane, double margin) {
   const ClippedBounds sides = sides_of(primitive, axis, plane, plane);

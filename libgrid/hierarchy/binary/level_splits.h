@@ -11,14 +11,6 @@
 
 namespace masu {
 
-// How many records a level has, as passes know it, of which there may be room for more.
-struct LevelCount {
-  std::uint64_t room;
-  const std::uint32_t* count; // null: as many
-
-  MASU_HD std::uint64_t operator()() const { return count != nullptr ? *count : room; }
-};
-
 inline constexpr std::uint32_t no_range = ~0U; // of leaves that aren't in one any more
 
 // Ranges that aren't small.

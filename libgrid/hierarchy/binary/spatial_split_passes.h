@@ -61,9 +61,8 @@ void divide(Executor& executor, const SceneView<Stored>& scene, double margin,
     if (crossing_before[i + 1] != crossing_before[i] && before < room &&
         split[own].divides(scene, margin, whole, parts)) {
       const std::uint64_t above = std::uint64_t{first} + added_before[own] + in_range + before;
-      to[above] = {parts.above.min, whole.index, parts.above.max, 1};
+      put_parts(parts, 1, whole, to[above]);
       to_range[above] = own;
-      whole = {parts.below.min, whole.index, parts.below.max, 1};
     }
     to[at] = whole;
   });

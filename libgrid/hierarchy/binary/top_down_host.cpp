@@ -198,9 +198,7 @@ private:
     });
     for (const auto& [leaf, parts] : divided) {
       if (range.room == 0) break;
-      BinaryNode& below = range.leaves[leaf];
-      range.leaves[range.count++] = {parts.above.min, below.index, parts.above.max, 1};
-      below = {parts.below.min, below.index, parts.below.max, 1};
+      put_parts(parts, 1, range.leaves[leaf], range.leaves[range.count++]);
       --range.room;
     }
   }

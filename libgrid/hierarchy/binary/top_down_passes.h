@@ -103,9 +103,7 @@ void divide_large(Executor& executor, BinaryNode* leaf, const SplitAtPlanes& at,
     const std::uint32_t before = divided_before[i] - divided_before[own.first];
     Sides parts{};
     if (before >= own.room || !at.divides(i, range_of[i], parts)) return;
-    BinaryNode& below = leaf[ordered_leaf[i]];
-    leaf[ordered_leaf[own.first + own.count + before]] = {parts.above.min, below.index, parts.above.max, 1};
-    below = {parts.below.min, below.index, parts.below.max, 1};
+    put_parts(parts, 1, leaf[ordered_leaf[i]], leaf[ordered_leaf[own.first + own.count + before]]);
   });
   executor.for_each(range_count, [=, there = level.count] MASU_PASS(std::uint64_t i) {
     if (i >= there() || range[i].is_small()) return;
