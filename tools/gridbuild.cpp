@@ -59,6 +59,7 @@ void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
   std::optional<Progress> progress(std::in_place, "building", settings.quiet);
   const bool with_gpu = settings.device == Device::cuda;
+  if (with_gpu) see_first_gpu_alone();
   const auto builder = with_gpu ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
   const Stopwatch watch;
   auto [grid, made, considered] = build_chosen(*builder, file.geometry(), settings.options);

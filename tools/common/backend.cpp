@@ -30,7 +30,8 @@ void add_first_cell_hit(const CommandLine& command, StopRule& stop) {
       "2012 thesis, which misses closer hits; for comparison");
 }
 
-bool use_cuda(Backend backend) {
+bool use_cuda(Backend backend, bool first_gpu_alone) {
+  if (first_gpu_alone) see_first_gpu_alone();
   std::string why;
   const bool available = backend != Backend::cpu && cuda_available(why);
   if (backend == Backend::cuda && !available)

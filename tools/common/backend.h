@@ -19,8 +19,9 @@ void add_precision(const CommandLine& command, Precision& precision);
 
 void add_first_cell_hit(const CommandLine& command, StopRule& stop);
 
-// Whether to trace by CUDA. Throws Error(device) where `cuda` is given and there is no usable GPU.
-bool use_cuda(Backend backend);
+// Whether to trace by CUDA, on the first GPU or on any. Throws Error(device) where `cuda` is given and there
+// is no usable GPU.
+bool use_cuda(Backend backend, bool first_gpu_alone = true);
 // Why a program with CUDA that chose for itself traces on the CPU, "no usable GPU: …"; else empty. To be
 // printed with results: an error is a line alone.
 std::string why_no_gpu(Backend backend);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -156,6 +157,10 @@ std::size_t allowed_threads() {
 }
 std::size_t all_cores() {
   return std::max(1U, std::thread::hardware_concurrency());
+}
+
+void see_first_gpu_alone() {
+  setenv("CUDA_VISIBLE_DEVICES", "0", 0);
 }
 
 Camera resized(Camera camera, const std::string& size) {

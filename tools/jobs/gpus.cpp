@@ -31,8 +31,9 @@ std::vector<int> numbers_below(int count) {
 std::vector<int> gpus_of_machine(const DeviceChoice& choice, Ranks& ranks) {
   const auto& [backend, devices] = choice;
   if (devices.empty()) {
-    std::uint64_t with_gpu[] = {use_cuda(backend) ? 1U : 0U};
-    if (ranks.count() == 1) return with_gpu[0] != 0 ? std::vector<int>{0} : std::vector<int>{};
+    const bool is_alone = ranks.count() == 1;
+    std::uint64_t with_gpu[] = {use_cuda(backend, is_alone) ? 1U : 0U};
+    if (is_alone) return with_gpu[0] != 0 ? std::vector<int>{0} : std::vector<int>{};
     ranks.sum(with_gpu);
     return with_gpu[0] == static_cast<std::uint64_t>(ranks.count()) ? numbers_below(cuda_device_count())
                                                                     : std::vector<int>{};
@@ -42,7 +43,7 @@ std::vector<int> gpus_of_machine(const DeviceChoice& choice, Ranks& ranks) {
   if (backend != Backend::automatic && on_cpu != (backend == Backend::cpu))
     throw Error(ErrorCode::usage, devices_option, "contradicts --backend: leave one of them out");
   if (on_cpu) return {};
-  static_cast<void>(use_cuda(Backend::cuda));
+  static_cast<void>(use_cuda(Backend::cuda, named == std::vector<int>{0}));
   const int count = cuda_device_count();
   for (const int gpu : named) {
     if (gpu >= count)
