@@ -36,14 +36,14 @@ if [ "${1:-}" = --full ]; then
 
   step "unit tests under the sanitizers"
   build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF -- \
-    --target masu_unit_tests masu_library_tests
+    --target masu_unit_tests masu_cairo_assimp_tests masu_library_tests
   LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/lsan.supp print_suppressions=0" \
     ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
 
   step "unit tests under ThreadSanitizer"
   tests/sanitizers/tsan_tbb.sh build/tbb
   build build/tsan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=thread -DMASU_CUDA=OFF -- \
-    --target masu_unit_tests masu_library_tests
+    --target masu_unit_tests masu_cairo_assimp_tests masu_library_tests
   # A quarter of the random cases: races don't hide in particular ones.
   MASU_TEST_EFFORT=0.25 TSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/tsan.supp ignore_noninstrumented_modules=1 halt_on_error=1" \
     ctest --test-dir build/tsan --output-on-failure --parallel "$cores" -L unit
