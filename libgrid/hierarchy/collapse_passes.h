@@ -212,7 +212,7 @@ struct LevelCount {
 // for more nodes than there are, those have no boxes.
 template <class Executor>
 struct CollapsedLevel {
-  LevelCount count;
+  LevelCount count{};
   ArrayOf<Executor, std::uint32_t> roots{}; // binary nodes
   ArrayOf<Executor, CollapsedNode> nodes{};
   ArrayOf<Executor, std::uint32_t> first_child{}; // in the next level
