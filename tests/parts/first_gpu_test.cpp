@@ -4,12 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <optional>
+#include <string>
 
 namespace masu {
 namespace {
 
 TEST(FirstGpu, IsSeenAloneUnlessTheEnvironmentSaysWhatIs) {
   constexpr const char* variable = "CUDA_VISIBLE_DEVICES";
+  const char* const found = std::getenv(variable);
+  const std::optional<std::string> before =
+      found != nullptr ? std::optional<std::string>(found) : std::nullopt;
   unsetenv(variable);
   see_first_gpu_alone();
   EXPECT_STREQ(std::getenv(variable), "0");
@@ -19,6 +24,7 @@ TEST(FirstGpu, IsSeenAloneUnlessTheEnvironmentSaysWhatIs) {
     EXPECT_STREQ(std::getenv(variable), given);
   }
   unsetenv(variable);
+  if (before) setenv(variable, before->c_str(), 1); // for other tests of the same process
 }
 
 } // namespace
