@@ -10,35 +10,51 @@ namespace masu {
 // Nodes ahead of a walk that has none in groups: those above, those of a mesh, and the second root.
 inline constexpr int max_placed_ahead = (boxes_per_node - 1) * (max_upper_levels + max_hierarchy_depth) + 1;
 
-template <class Real>
-MASU_ALWAYS_INLINE Real select(bool where, Real a, Real b) {
-  return where ? a : b;
-}
-
-// An inverse direction, as bounded_inverse() has it.
-template <class Number>
-MASU_ALWAYS_INLINE Vec3<Number> bounded(const Vec3<Number>& inverse) {
-  const Number limit = 0x1p64F;
-  const auto along = [&](Number v) { return min(max(v, -limit), limit); };
-  return {along(inverse.x), along(inverse.y), along(inverse.z)};
-}
-
-// A ray in boxes' space, or several: the origins with which it meets the planes by which it enters and leaves
-// boxes, and its direction's inverse, bounded.
-template <class Number>
+// A ray in boxes' space, or several, in lanes or as vectors of lanes: the origins with which it meets the
+// planes by which it enters and leaves boxes, and its direction's inverse, bounded as bounded_inverse() has
+// it.
+template <class Numbers>
 struct BoundRay {
-  Vec3<Number> entering, leaving, inverse;
+  Numbers entering, leaving, inverse;
 };
-// Carried into a placement's mesh. To have planes moved outwards the origin is moved: against them.
-template <class Number, class Placed>
-MASU_ALWAYS_INLINE BoundRay<Number> carried_ray(const Placed& placement, const Vec3<Number>& origin,
-                                                const Vec3<Number>& direction) {
-  const Number outwards = placement.padding;
-  const Vec3<Number> from = carried_point(placement, origin), along = carried(placement, direction);
-  const Vec3<Number> inverse =
-      bounded<Number>({finite_inverse(along.x), finite_inverse(along.y), finite_inverse(along.z)});
-  const auto moved = [&](Number v) { return select(v < Number(0), -outwards, outwards); };
-  const Vec3<Number> move{moved(inverse.x), moved(inverse.y), moved(inverse.z)};
+// To have planes moved outwards the origin is moved: against them.
+template <class Real>
+MASU_ALWAYS_INLINE Lanes<Real> bounded(Lanes<Real> inverse) {
+  const Lanes<Real> limit = Real(0x1p64F);
+  return min(max(inverse, -limit), limit);
+}
+template <class Real>
+MASU_ALWAYS_INLINE Vec3<Lanes<Real>> bounded(const Vec3<Lanes<Real>>& inverse) {
+  return {bounded(inverse.x), bounded(inverse.y), bounded(inverse.z)};
+}
+template <class Real>
+MASU_ALWAYS_INLINE Lanes<Real> against(Lanes<Real> inverse, Real outwards) {
+  return select(inverse < Lanes<Real>(0), Lanes<Real>(-outwards), Lanes<Real>(outwards));
+}
+
+// Carried into a placement's mesh, as many rays as lanes.
+template <class Real, class Placed>
+MASU_ALWAYS_INLINE BoundRay<Vec3<Lanes<Real>>>
+carried_rays(const Placed& placement, const Vec3<Lanes<Real>>& origin, const Vec3<Lanes<Real>>& direction) {
+  const Vec3<Lanes<Real>> from = carried_point(placement, origin), along = carried(placement, direction);
+  const Vec3<Lanes<Real>> inverse =
+      bounded(Vec3<Lanes<Real>>{finite_inverse(along.x), finite_inverse(along.y), finite_inverse(along.z)});
+  const auto moved = [&](Lanes<Real> v) { return against<Real>(v, placement.padding); };
+  const Vec3<Lanes<Real>> move{moved(inverse.x), moved(inverse.y), moved(inverse.z)};
+  return {from + move, from - move, inverse};
+}
+
+// One ray, as axes_of() has it.
+template <class Real, class Placed>
+MASU_ALWAYS_INLINE BoundRay<Lanes<Real>> carried_ray(const Placed& placement, const Vec3<Real>& origin,
+                                                     const Vec3<Real>& direction) {
+  const auto& rows = placement.inverse;
+  const auto column = [&](int j) { return axes_of<Real>(Vec3{rows[0][j], rows[1][j], rows[2][j]}); };
+  const Lanes<Real> x = column(0), y = column(1), z = column(2);
+  const auto by_columns = [&](const Vec3<Real>& v) { return fma(x, v.x, fma(y, v.y, z * Lanes<Real>(v.z))); };
+  const Lanes<Real> from = by_columns(origin - cast<Real>(placement.translation())),
+                    inverse = bounded(finite_inverse(by_columns(direction))),
+                    move = against<Real>(inverse, placement.padding);
   return {from + move, from - move, inverse};
 }
 

@@ -194,6 +194,15 @@ MASU_ALWAYS_INLINE Lanes<Real> part_of(Floats8 eight, std::size_t first) {
     return _mm256_cvtps_pd(first == 0 ? _mm256_castps256_ps128(eight.v) : _mm256_extractf128_ps(eight.v, 1));
 }
 
+// Four doubles as the first of eight floats, before zeros; or as they are.
+template <class To, class From>
+MASU_ALWAYS_INLINE Lanes<To> rounded(Lanes<From> all) {
+  if constexpr (sizeof(To) == sizeof(From))
+    return all;
+  else
+    return _mm256_zextps128_ps256(_mm256_cvtpd_ps(all.v));
+}
+
 // Whole numbers in lanes as wide as those of Real.
 template <class Real>
 MASU_ALWAYS_INLINE __m256i whole_in_lanes(unsigned all) {

@@ -29,7 +29,9 @@ MASU_ALWAYS_INLINE LaneMask<Real> intersect(const WatertightRay<Lanes<Real>>& ra
 template <class Real>
 MASU_ALWAYS_INLINE Vec3<Lanes<Real>> corners(const Triangle<double>* triangles, const PrimitiveIndex* numbers,
                                              Vec3<double> Triangle<double>::*of) {
-  const auto load = [&](int i) { return _mm256_loadu_pd(&(triangles[numbers[i]].*of).x); };
+  const auto load = [&](int i) __attribute__((always_inline)) {
+    return _mm256_loadu_pd(&(triangles[numbers[i]].*of).x);
+  };
   const __m256d c0 = load(0), c1 = load(1), c2 = load(2), c3 = load(3);
   const __m256d xz01 = _mm256_unpacklo_pd(c0, c1), xz23 = _mm256_unpacklo_pd(c2, c3);
   const __m128d y01 = _mm_unpackhi_pd(_mm256_castpd256_pd128(c0), _mm256_castpd256_pd128(c1)),
@@ -41,8 +43,10 @@ MASU_ALWAYS_INLINE Vec3<Lanes<Real>> corners(const Triangle<double>* triangles, 
 template <class Real>
 MASU_ALWAYS_INLINE Vec3<Lanes<Real>> corners(const Triangle<float>* triangles, const PrimitiveIndex* numbers,
                                              Vec3<float> Triangle<float>::*of) {
-  const auto load = [&](int i) { return _mm_load_ps(&(triangles[numbers[i]].*of).x); };
-  const auto two = [&](int i) {
+  const auto load = [&](int i) __attribute__((always_inline)) {
+    return _mm_load_ps(&(triangles[numbers[i]].*of).x);
+  };
+  const auto two = [&](int i) __attribute__((always_inline)) {
     if constexpr (sizeof(Real) == sizeof(float))
       return _mm256_set_m128(load(i + 4), load(i));
     else

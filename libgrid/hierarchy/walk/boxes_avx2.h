@@ -7,6 +7,7 @@
 
 #include <immintrin.h>
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <type_traits>
@@ -28,35 +29,48 @@ struct BoxArithmetic<Real, Visitor> {
   using type = std::remove_cvref_t<decltype(std::declval<Visitor>().scene.triangles->a.x)>;
 };
 
-// What of a ray the test of a node needs.
-template <class Real>
-struct BoxRay {
-  Lanes<Real> origin, inverse; // x, y, z, 0
-  // Where in a node the planes begin that the ray meets first and last along each axis, in bytes.
-  unsigned near_x = 0, near_y = 0, near_z = 0, far_x = 0, far_y = 0, far_z = 0;
+// x, y, z, 0
+template <class Real, class From>
+MASU_ALWAYS_INLINE Lanes<Real> axes_of(const Vec3<From>& from) {
+  const Vec3<Real> v = cast<Real>(from);
+  if constexpr (sizeof(Real) == sizeof(float))
+    return _mm256_setr_ps(v.x, v.y, v.z, 0, 0, 0, 0, 0);
+  else
+    return _mm256_setr_pd(v.x, v.y, v.z, 0);
+}
 
+// What of a ray the test of a node needs, as axes_of() has it, of whatever in the fourth lane.
+template <class Real>
+struct AxesRay {
+  Lanes<Real> origin, inverse;
+};
+// And where in a node the planes begin that the ray meets first and last along each axis, in bytes.
+struct PlanesMet {
+  unsigned near_x, near_y, near_z, far_x, far_y, far_z;
+};
+template <class Real>
+struct BoxRay : AxesRay<Real> {
+  PlanesMet planes;
+
+  MASU_ALWAYS_INLINE explicit BoxRay(const AxesRay<Real>& bounded)
+      : AxesRay<Real>(bounded), planes(planes_met[LaneMask<Real>(bounded.inverse.v).bits() & 7]) {}
   template <class From>
   MASU_ALWAYS_INLINE BoxRay(const Vec3<From>& from, const Vec3<From>& bounded_inverse)
-      : origin(lanes(cast<Real>(from))), inverse(lanes(cast<Real>(bounded_inverse))) {
-    constexpr unsigned low = offsetof(HierarchyNode, low), to_high = offsetof(HierarchyNode, high) - low;
-    const unsigned down_x = bounded_inverse.x < 0 ? to_high : 0, down_y = bounded_inverse.y < 0 ? to_high : 0,
-                   down_z = bounded_inverse.z < 0 ? to_high : 0;
-    near_x = low + down_x;
-    near_y = low + 8 + down_y;
-    near_z = low + 16 + down_z;
-    far_x = low + to_high - down_x;
-    far_y = low + 8 + to_high - down_y;
-    far_z = low + 16 + to_high - down_z;
-  }
+      : BoxRay(AxesRay<Real>{axes_of<Real>(from), axes_of<Real>(bounded_inverse)}) {}
   BoxRay() : BoxRay(Vec3<Real>{0, 0, 0}, Vec3<Real>{1, 1, 1}) {} // any
 
 private:
-  MASU_ALWAYS_INLINE static Lanes<Real> lanes(const Vec3<Real>& v) {
-    if constexpr (sizeof(Real) == sizeof(float))
-      return _mm256_setr_ps(v.x, v.y, v.z, 0, 0, 0, 0, 0);
-    else
-      return _mm256_setr_pd(v.x, v.y, v.z, 0);
-  }
+  // By the axes along which the ray goes down, a bit each.
+  static constexpr auto planes_met = [] {
+    constexpr unsigned low = offsetof(HierarchyNode, low), to_high = offsetof(HierarchyNode, high) - low;
+    std::array<PlanesMet, 8> met{};
+    for (unsigned down = 0; down < 8; ++down) {
+      const unsigned x = down & 1 ? to_high : 0, y = down & 2 ? to_high : 0, z = down & 4 ? to_high : 0;
+      met[down] = {low + x,           low + 8 + y,           low + 16 + z,
+                   low + to_high - x, low + 8 + to_high - y, low + 16 + to_high - z};
+    }
+    return met;
+  }();
 };
 
 // The farthest that boxes may be entered at.
@@ -96,8 +110,9 @@ MASU_ALWAYS_INLINE NodePlanes planes_of(const HierarchyNode& node, const BoxRay<
   const auto numbers = [&](unsigned planes) __attribute__((always_inline)) {
     return Floats8(_mm256_cvtepi32_ps(eight_bytes(bytes + planes)));
   };
-  return {{numbers(ray.near_x), numbers(ray.near_y), numbers(ray.near_z)},
-          {numbers(ray.far_x), numbers(ray.far_y), numbers(ray.far_z)}};
+  const PlanesMet& met = ray.planes;
+  return {{numbers(met.near_x), numbers(met.near_y), numbers(met.near_z)},
+          {numbers(met.far_x), numbers(met.far_y), numbers(met.far_z)}};
 }
 
 // Of several pairs of a box and a ray those that meet as far as `farthest`, by where the ray meets the planes
@@ -114,23 +129,23 @@ MASU_ALWAYS_INLINE BoxesMet<Real> boxes_met(const Vec3<Lanes<Real>>& near, const
 // that runs the same way along each axis, or the same one. `enter` is rounded: not beyond `farthest`.
 template <class Real>
 MASU_ALWAYS_INLINE BoxesMet<float> boxes_met(const HierarchyNode& node, const NodePlanes& planes,
-                                             const BoxRay<Real>& entering, const BoxRay<Real>& leaving,
-                                             float farthest) {
+                                             const AxesRay<Real>& entering, Lanes<Real> leaving_origin,
+                                             Lanes<Real> leaving_inverse, float farthest) {
   const __m128i exponents = _mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(node.exponents)));
-  const auto axes = [](__m128 v) { return part_of<Real>(_mm256_zextps128_ps256(v), 0); };
+  const auto axes = [](__m128 v) { return part_of<Real>(_mm256_castps128_ps256(v), 0); };
   const Lanes<Real> origin = axes(_mm_blend_ps(_mm_load_ps(node.origin), _mm_setzero_ps(), 8)),
                     units = axes(_mm_castsi128_ps(_mm_slli_epi32(exponents, 23)));
   // Plane q is met at q · scale + start: with a smaller error than as NodeAxis has it.
-  const auto met_at = [&](const BoxRay<Real>& ray, const Vec3<Floats8>& q, std::size_t first)
+  const auto met_at = [&](Lanes<Real> from, Lanes<Real> inverse, const Vec3<Floats8>& q, std::size_t first)
       __attribute__((always_inline)) {
-    const Lanes<Real> scale = units * ray.inverse, start = (origin - ray.origin) * ray.inverse;
+    const Lanes<Real> scale = units * inverse, start = (origin - from) * inverse;
     return Vec3<Lanes<Real>>{fma(part_of<Real>(q.x, first), broadcast<0>(scale), broadcast<0>(start)),
                              fma(part_of<Real>(q.y, first), broadcast<1>(scale), broadcast<1>(start)),
                              fma(part_of<Real>(q.z, first), broadcast<2>(scale), broadcast<2>(start))};
   };
   const auto part = [&](std::size_t first) __attribute__((always_inline)) {
-    return boxes_met(met_at(entering, planes.near, first), met_at(leaving, planes.far, first),
-                     Real(farthest));
+    return boxes_met(met_at(entering.origin, entering.inverse, planes.near, first),
+                     met_at(leaving_origin, leaving_inverse, planes.far, first), Real(farthest));
   };
   if constexpr (sizeof(Real) == sizeof(float)) {
     return part(0);
@@ -143,7 +158,7 @@ MASU_ALWAYS_INLINE BoxesMet<float> boxes_met(const HierarchyNode& node, const No
 template <class Real>
 MASU_ALWAYS_INLINE BoxesMet<float> boxes_met(const HierarchyNode& node, const BoxRay<Real>& ray,
                                              float farthest) {
-  return boxes_met(node, planes_of(node, ray), ray, ray, farthest);
+  return boxes_met(node, planes_of(node, ray), ray, ray.origin, ray.inverse, farthest);
 }
 
 // What of a node is in boxes that the ray meets: bit 24 + slot for a node, and bit i for its reference i. A

@@ -81,10 +81,16 @@ public:
   explicit EightWalks( // NOLINT(cppcoreguidelines-pro-type-member-init): idle lanes count for nothing
       const Structure& structure)
       : structure_(structure) {
+    if constexpr (is_placed) {
+      nodes_[0] = structure.placed.upper_nodes;
+      nodes_[1] = structure.placed.of_meshes.nodes;
+    } else {
+      nodes_[0] = structure.nodes;
+    }
     for (int lane = 0; lane < lanes; ++lane) {
       std::fill_n(ahead_[lane].entries, below, nowhere);
       ahead_[lane].siblings[below - 1] = 0;
-      node_[lane] = nodes_at(lane, 0);
+      node_[lane] = nodes_[0];
       leave_idle(lane);
     }
   }
@@ -103,22 +109,24 @@ public:
     t_max_[lane] = t_[lane] = t_max;
     farthest_.of[i] = in_float32(t_max);
     primitive_[lane] = 0; // wins no tie at t_max
-    box_rays_[lane][0] = BoxRay<Stored>(ray.origin, inverse);
+    const BoxRay<Stored> box_ray(ray.origin, inverse);
     if constexpr (is_placed) {
+      box_rays_[lane][0] = {box_ray, box_ray.origin};
       const auto [first, second] = seen.roots();
       if (first == no_root) return leave_idle(lane);
-      in_mesh_[lane] = 0;
+      set_level(lane, 0);
       mask_[lane] = seen.mask;
       ahead_[lane].entries[below] = 0;
       ahead_[lane].siblings[below] = std::uint64_t{second} << 32;
-      go_to(lane, seen.placed.upper_nodes + first, 0, second != no_root ? below + 1 : below);
+      go_to(lane, nodes_[0] + first, 0, second != no_root ? below + 1 : below);
     } else {
-      go_to(lane, structure_.nodes, 0, below);
+      box_rays_[lane][0] = box_ray;
+      go_to(lane, nodes_[0], 0, below);
     }
   }
   MASU_ALWAYS_INLINE void leave_idle(int lane) {
     box_rays_[lane][0] = {};
-    in_mesh_[lane] = 0;
+    set_level(lane, 0);
     farthest_.of[lane] = -1; // meets no box
     end(lane);
   }
@@ -134,10 +142,9 @@ public:
     unsigned with_references = 0; // a bit per lane
     for (int lane = 0; lane < lanes; ++lane) {
       const HierarchyNode& node = *node_[lane];
-      const std::size_t in_mesh = is_placed ? in_mesh_[lane] : 0;
-      const BoxRay<Stored>&entering = box_rays_[lane][in_mesh], &leaving = box_rays_[lane][2 * in_mesh];
+      const auto& ray = own_ray(lane);
       const BoxesMet<float> met =
-          boxes_met(node, planes_of(node, entering), entering, leaving, farthest_.of[lane]);
+          boxes_met(node, planes_of(node, ray), ray, leaving_from(ray), ray.inverse, farthest_.of[lane]);
       const __m256i slots = eight_bytes(node.slots);
       const __m256i nodes = _mm256_cmpeq_epi32(slots & is_node, is_node) & met.lanes.whole();
       const __m256i entry = (met.enter.whole() & ~_mm256_set1_epi32(slot_mask)) | numbers;
@@ -180,6 +187,7 @@ public:
       static_assert(offsetof(HierarchyNode, first_node) == offsetof(HierarchyNode, exponents) + 4);
       long long siblings;
       std::memcpy(&siblings, &node_[lane]->exponents, sizeof siblings);
+      if constexpr (is_placed) siblings = (siblings & ~1LL) | in_mesh_[lane];
       store_eight(ahead.siblings + height, _mm256_set1_epi64x(siblings));
       store_eight(ahead.siblings + height + 4, _mm256_set1_epi64x(siblings));
       // There is room, but while a mapped file changes: then results are thrown away.
@@ -205,10 +213,17 @@ public:
             {origin_.of_rays(of), direction_.of_rays(of), inverse_square_.of_rays(of)},
             across1_.of_rays(of),
             across2_.of_rays(of)};
+        [[maybe_unused]] Lanes<Stored> rows[3][4];
+        if constexpr (is_placed)
+          for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column)
+              rows[row][column] = rows_[row][column].of_rays(of);
         Lanes<Real> t = 0;
         const LaneMask<Real> hits = intersect<Stored>(
             rays,
-            [&](auto corner) __attribute__((always_inline)) { return corners_of(scene, first, corner); }, t);
+            [&](auto corner)
+                __attribute__((always_inline)) { return corners_of(scene, test_ + first, rows, corner); },
+            t);
         t.store(test_t_ + first);
         add_hits(first, _bzhi_u32(hits.bits(), test_count_ - first));
       }
@@ -250,12 +265,11 @@ public:
       }
     });
     if constexpr (is_placed) {
-      unsigned at_items = 0;
-      for (int lane = 0; lane < lanes; ++lane)
-        at_items |=
-            (entry_[lane] != nowhere && in_mesh_[lane] == 0 && node_slots(*node_[lane]) == 0 ? 1U : 0U)
-            << lane;
-      each_bit(at_items, [&](int lane) { enter_mesh(lane); });
+      const __m256i elsewhere = _mm256_cmpeq_epi32(load_eight(entry_), _mm256_set1_epi32(nowhere)),
+                    above = _mm256_cmpeq_epi32(load_eight(in_mesh_) | elsewhere, _mm256_setzero_si256());
+      each_bit(static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(above))), [&](int lane) {
+        if (node_slots(*node_[lane]) == 0) enter_mesh(lane);
+      });
     }
   }
 
@@ -266,7 +280,8 @@ private:
   // Nodes that a lane has still to visit, those of a node with the nearest last. `entries`: the bits of where
   // the ray enters them, which as whole numbers are in the same order, with the slot in place of the last
   // three: so an entry is compared with a distance whose last three bits are set. `siblings`: `exponents` of
-  // the node that they are in and, in the high half, `first_node`. Before the first are some that no ray
+  // the node that they are in, of placed meshes the lowest bit whether that is one of a mesh, and, in the
+  // high half, `first_node`. Before the first are some that no ray
   // reaches, and eight are always written, of which those that weren't met don't count.
   static constexpr int below = 9;
   struct NodesAhead {
@@ -278,6 +293,23 @@ private:
   static constexpr std::uint32_t all_references = 0xffffff;
   static constexpr unsigned most_tests = lanes * max_references_per_node;
 
+  // One that leaves boxes from another origin than it enters them.
+  struct MovedRay : BoxRay<Stored> {
+    Lanes<Stored> leaving;
+  };
+  MASU_ALWAYS_INLINE static Lanes<Stored> leaving_from(const BoxRay<Stored>& ray) { return ray.origin; }
+  MASU_ALWAYS_INLINE static Lanes<Stored> leaving_from(const MovedRay& ray) { return ray.leaving; }
+
+  MASU_ALWAYS_INLINE void set_level(int lane, std::uint32_t in_mesh) {
+    in_mesh_[lane] = in_mesh;
+    if constexpr (is_placed) moved_ray_[lane] = box_rays_[lane] + in_mesh;
+  }
+  MASU_ALWAYS_INLINE const auto& own_ray(int lane) const {
+    if constexpr (is_placed)
+      return *moved_ray_[lane];
+    else
+      return box_rays_[lane][0];
+  }
   MASU_ALWAYS_INLINE void go_to(int lane, const HierarchyNode* node, std::int32_t entry,
                                 std::ptrdiff_t height) {
     node_[lane] = node;
@@ -285,15 +317,6 @@ private:
     height_[lane] = height;
   }
   MASU_ALWAYS_INLINE void end(int lane) { go_to(lane, node_[lane], nowhere, below); }
-  // Where the nodes are of what is ahead at that height: a mesh is left where that is of what is above.
-  MASU_ALWAYS_INLINE const HierarchyNode* nodes_at(int lane, std::ptrdiff_t height) {
-    if constexpr (is_placed) {
-      in_mesh_[lane] = height < mesh_begin_[lane] ? 0 : in_mesh_[lane];
-      return in_mesh_[lane] != 0 ? structure_.placed.of_meshes.nodes : structure_.placed.upper_nodes;
-    } else {
-      return structure_.nodes;
-    }
-  }
   // From an item to the root of its mesh, whose nodes are put ahead above all others; an item that the ray
   // doesn't see is a node without boxes.
   MASU_ALWAYS_INLINE void enter_mesh(int lane) {
@@ -302,37 +325,35 @@ private:
     const auto own = placed.entrance(*node_[lane]);
     if (!PlacedRay<Stored>{placed, 0, mask_[lane], structure_.object_masks}.sees(item, own)) return;
     const auto i = static_cast<std::size_t>(lane);
-    const BoundRay<Real> ray = carried_ray(own, origin_.of(i), direction_.of(i));
-    box_rays_[lane][1] = BoxRay<Stored>(ray.entering, ray.inverse);
-    box_rays_[lane][2] = BoxRay<Stored>(ray.leaving, ray.inverse);
+    const BoundRay<Lanes<Real>> ray = carried_ray(own, origin_.of(i), direction_.of(i));
+    box_rays_[lane][1] = {BoxRay<Stored>({rounded<Stored>(ray.entering), rounded<Stored>(ray.inverse)}),
+                          rounded<Stored>(ray.leaving)};
     const Placement<Stored>& placement = placed.placements[item];
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 4; ++column)
         rows_[row][column].of[lane] = placement.rows[row][column];
     first_triangle_[lane] = placement.first_triangle;
-    mesh_begin_[lane] = height_[lane];
-    in_mesh_[lane] = 1;
-    node_[lane] = placed.of_meshes.nodes + own.root;
+    set_level(lane, 1);
+    node_[lane] = nodes_[1] + own.root;
     prefetch(node_[lane]);
   }
-  // Of the triangles to be tested from `first` on one corner each.
-  MASU_ALWAYS_INLINE Vec3<Lanes<Real>> corners_of(const SceneView<Stored>& scene, std::uint32_t first,
+  // One corner each of triangles, placed by the rows of transforms.
+  MASU_ALWAYS_INLINE Vec3<Lanes<Real>> corners_of(const SceneView<Stored>& scene, const std::uint32_t* tests,
+                                                  [[maybe_unused]] const Lanes<Stored> (&rows)[3][4],
                                                   Vec3<Stored> Triangle<Stored>::*corner) const {
     if constexpr (is_placed) {
       static_assert(sizeof(Leaf<Stored>) == sizeof(Triangle<Stored>));
       const Vec3<Lanes<Stored>> v =
-          corners<Stored>(&structure_.placed.of_meshes.leaves->record, test_ + first, corner);
-      const auto along = [&](const Numbers<Stored, lanes>(&row)[4]) __attribute__((always_inline)) {
-        const auto of = [&](int column) { return row[column].of_rays(test_lane_ + first); };
-        const Lanes<Stored> of_lanes[4] = {of(0), of(1), of(2), of(3)};
+          corners<Stored>(&structure_.placed.of_meshes.leaves->record, tests, corner);
+      const auto along = [&](int row) __attribute__((always_inline)) {
         if constexpr (std::is_same_v<Real, Stored>)
-          return masu::along(of_lanes, v);
+          return masu::along(rows[row], v);
         else
-          return part_of<Real>(masu::along(of_lanes, v), 0);
+          return part_of<Real>(masu::along(rows[row], v), 0);
       };
-      return {along(rows_[0]), along(rows_[1]), along(rows_[2])};
+      return {along(0), along(1), along(2)};
     } else {
-      return corners<Real>(scene.triangles, test_ + first, corner);
+      return corners<Real>(scene.triangles, tests, corner);
     }
   }
   MASU_ALWAYS_INLINE PrimitiveIndex primitive(std::uint32_t test) const {
@@ -347,7 +368,9 @@ private:
     const std::int32_t entry = ahead_[lane].entries[height];
     const std::uint32_t before =
         _bzhi_u32(static_cast<std::uint32_t>(siblings) >> 24, static_cast<std::uint32_t>(entry & slot_mask));
-    go_to(lane, nodes_at(lane, height) + (siblings >> 32) + std::popcount(before), entry, height);
+    if constexpr (is_placed) set_level(lane, siblings & 1);
+    go_to(lane, nodes_[is_placed ? siblings & 1 : 0] + (siblings >> 32) + std::popcount(before), entry,
+          height);
   }
 
   MASU_ALWAYS_INLINE void keep(int lane, Real t, PrimitiveIndex primitive) {
@@ -366,12 +389,13 @@ private:
   // Of each lane: its ray, and the nearest hit so far, at t_max where there is none.
   Vectors<Real, lanes> origin_, direction_, across1_, across2_;
   Numbers<Real, lanes> inverse_square_;
-  // In the world; in a mesh by how it enters boxes, and by how it leaves them.
-  BoxRay<Stored> box_rays_[lanes][is_placed ? 3 : 1];
+  std::conditional_t<is_placed, MovedRay, BoxRay<Stored>> box_rays_[lanes]
+                                                                   [is_placed ? 2 : 1]; // and in a mesh
   Real t_min_[lanes], t_max_[lanes], t_[lanes];
   Numbers<float, lanes> farthest_; // in_float32(t_); where nothing is to be met -1
   PrimitiveIndex primitive_[lanes];
 
+  const HierarchyNode* nodes_[is_placed ? 2 : 1]; // above placements, and of meshes
   // The node to visit, where the ray enters it, and what is ahead besides.
   const HierarchyNode* node_[lanes];
   std::int32_t entry_[lanes];
@@ -389,10 +413,9 @@ private:
   std::uint64_t hits_[most_tests / 64];
   std::uint32_t test_count_ = 0;
 
-  // Of each lane through placed meshes: whether it is in one, where in what is ahead that begins, and the
-  // rows of the placement's transform.
-  std::uint32_t in_mesh_[lanes]{}, mask_[lanes], first_triangle_[lanes];
-  std::ptrdiff_t mesh_begin_[lanes]{};
+  // Of each lane through placed meshes: whether it is in one, and the rows of the placement's transform.
+  std::uint32_t in_mesh_[lanes], mask_[lanes], first_triangle_[lanes];
+  const MovedRay* moved_ray_[lanes]; // of box_rays_ where it is
   Numbers<Stored, lanes> rows_[3][4];
   const Structure structure_;
 };

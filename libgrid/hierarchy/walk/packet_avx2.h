@@ -91,20 +91,21 @@ private:
 
   // The rows' rays where boxes are, in the world or in a mesh. In the world origins are the same.
   struct Space {
-    BoundRay<Number> rays[rows]{};
+    BoundRay<Vec3<Number>> rays[rows]{};
     BoxRay<Stored> entering, leaving; // bound()
 
     MASU_ALWAYS_INLINE void bind(const unsigned (&lanes)[rows], const Vec3<Real>& way) {
-      entering = bound(rays, &BoundRay<Number>::entering, lanes, way);
-      leaving = bound(rays, &BoundRay<Number>::leaving, lanes, way);
+      entering = bound(rays, &BoundRay<Vec3<Number>>::entering, lanes, way);
+      leaving = bound(rays, &BoundRay<Vec3<Number>>::leaving, lanes, way);
     }
   };
 
   // A ray that enters no box after one of the packet's does, or one that leaves none before. That is so of
   // products that are positive; negative ones are before all rays begin.
-  static BoxRay<Stored> bound(const BoundRay<Number> (&rays)[rows], Vec3<Number> BoundRay<Number>::*origin_of,
-                              const unsigned (&lanes)[rows], const Vec3<Real>& way) {
-    const bool enters = origin_of == &BoundRay<Number>::entering;
+  static BoxRay<Stored> bound(const BoundRay<Vec3<Number>> (&rays)[rows],
+                              Vec3<Number> BoundRay<Vec3<Number>>::*origin_of, const unsigned (&lanes)[rows],
+                              const Vec3<Real>& way) {
+    const bool enters = origin_of == &BoundRay<Vec3<Number>>::entering;
     constexpr Real largest = RealTraits<Real>::largest;
     Vec3<Real> origin{}, speed{};
     for (int axis = 0; axis < 3; ++axis) {
@@ -146,7 +147,7 @@ private:
 
   // A function of a slot: which of a row's rays meet its box.
   template <bool in_mesh>
-  MASU_ALWAYS_INLINE auto meeting(const BoundRay<Number>& rays, const HierarchyNode& node,
+  MASU_ALWAYS_INLINE auto meeting(const BoundRay<Vec3<Number>>& rays, const HierarchyNode& node,
                                   const Planes& planes, int e) const {
     const auto unit = [&](int axis) -> Number {
       return float_of((node.exponents >> (8 * axis) & 0xff) << 23);
@@ -186,7 +187,7 @@ private:
     Space mesh;
     unsigned left[rows] = {}, alike[rows];
     each_bit(of_rows, [&](int e) {
-      mesh.rays[e] = carried_ray(own, rays_[e].origin.all(), rays_[e].flushed.all());
+      mesh.rays[e] = carried_rays(own, rays_[e].origin.all(), rays_[e].flushed.all());
       left[e] = (Number(Real(0)) <= t_[e]).bits();
     });
     for (int e = 0; e < rows; ++e) {
@@ -232,7 +233,8 @@ private:
         return height;
       }
     const NodePlanes numbers = planes_of(node, space.entering);
-    const BoxesMet<float> boxes = boxes_met(node, numbers, space.entering, space.leaving, farthest_);
+    const BoxesMet<float> boxes =
+        boxes_met(node, numbers, space.entering, space.leaving.origin, space.leaving.inverse, farthest_);
     const Planes planes(numbers);
     const unsigned siblings = node_slots(node), with_references = boxes.slots() & ~siblings;
 
