@@ -10,6 +10,7 @@
 // Host only.
 #pragma once
 
+#include "libgrid/hierarchy/walk/sorted_rows_avx2.h"
 #include "libgrid/placed/placed_lanes_avx2.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/geometry/triangle_lanes.h"
@@ -17,50 +18,6 @@
 #include <cstring>
 
 namespace masu {
-
-// Rows become columns.
-MASU_ALWAYS_INLINE void transpose(__m256i (&rows)[8]) {
-  __m256i pairs[8], fours[8];
-  for (int i = 0; i < 8; i += 2) {
-    pairs[i] = _mm256_unpacklo_epi32(rows[i], rows[i + 1]);
-    pairs[i + 1] = _mm256_unpackhi_epi32(rows[i], rows[i + 1]);
-  }
-  for (int i = 0; i < 8; i += 4) {
-    fours[i] = _mm256_unpacklo_epi64(pairs[i], pairs[i + 2]);
-    fours[i + 1] = _mm256_unpackhi_epi64(pairs[i], pairs[i + 2]);
-    fours[i + 2] = _mm256_unpacklo_epi64(pairs[i + 1], pairs[i + 3]);
-    fours[i + 3] = _mm256_unpackhi_epi64(pairs[i + 1], pairs[i + 3]);
-  }
-  for (int i = 0; i < 4; ++i) {
-    rows[i] = _mm256_permute2x128_si256(fours[i], fours[i + 4], 0x20);
-    rows[i + 4] = _mm256_permute2x128_si256(fours[i], fours[i + 4], 0x31);
-  }
-}
-
-// Each row's signed numbers from the largest to the smallest.
-MASU_ALWAYS_INLINE void sort_descending(__m256i (&rows)[8]) {
-  transpose(rows);
-  const auto order = [&](int larger, int smaller) __attribute__((always_inline)) {
-    const __m256i a = rows[larger], b = rows[smaller];
-    rows[larger] = _mm256_max_epi32(a, b);
-    rows[smaller] = _mm256_min_epi32(a, b);
-  };
-  const auto order_four = [&](int a, int b, int c, int d, int e, int f, int g, int h)
-      __attribute__((always_inline)) {
-    order(a, b);
-    order(c, d);
-    order(e, f);
-    order(g, h);
-  };
-  order_four(0, 1, 2, 3, 4, 5, 6, 7);
-  order_four(0, 2, 1, 3, 4, 6, 5, 7);
-  order_four(1, 2, 5, 6, 0, 4, 3, 7);
-  order(1, 5);
-  order(2, 6);
-  order_four(1, 4, 3, 6, 2, 4, 3, 5);
-  order(3, 4);
-  transpose(rows);
-}
 
 // M: a Method by watertight tests. Structure: a hierarchy, or a PlacedRay<Stored> of triangles that are
 // tested in lanes, of which each ray has its own mask and world. Walks are cut into four stages, which are
@@ -81,19 +38,16 @@ public:
   explicit EightWalks( // NOLINT(cppcoreguidelines-pro-type-member-init): idle lanes count for nothing
       const Structure& structure)
       : structure_(structure) {
-    if constexpr (is_placed) {
-      nodes_[0] = structure.placed.upper_nodes;
-      nodes_[1] = structure.placed.of_meshes.nodes;
-    } else {
-      nodes_[0] = structure.nodes;
-    }
     for (int lane = 0; lane < lanes; ++lane) {
       std::fill_n(ahead_[lane].entries, below, nowhere);
       ahead_[lane].siblings[below - 1] = 0;
-      node_[lane] = nodes_[0];
+      node_[lane] = first_nodes();
       leave_idle(lane);
     }
   }
+
+  EightWalks(const EightWalks&) = delete; // lanes point to rays within
+  EightWalks& operator=(const EightWalks&) = delete;
 
   // Gives a ray to a lane: a prepared one, with its direction's inverse, bounded (bounded_inverse()).
   // `seen`: the structure as it sees it.
@@ -114,19 +68,19 @@ public:
       box_rays_[lane][0] = {box_ray, box_ray.origin};
       const auto [first, second] = seen.roots();
       if (first == no_root) return leave_idle(lane);
-      set_level(lane, 0);
+      leave_mesh(lane);
       mask_[lane] = seen.mask;
       ahead_[lane].entries[below] = 0;
       ahead_[lane].siblings[below] = std::uint64_t{second} << 32;
-      go_to(lane, nodes_[0] + first, 0, second != no_root ? below + 1 : below);
+      go_to(lane, first_nodes() + first, 0, second != no_root ? below + 1 : below);
     } else {
       box_rays_[lane][0] = box_ray;
-      go_to(lane, nodes_[0], 0, below);
+      go_to(lane, first_nodes(), 0, below);
     }
   }
   MASU_ALWAYS_INLINE void leave_idle(int lane) {
     box_rays_[lane][0] = {};
-    set_level(lane, 0);
+    leave_mesh(lane);
     farthest_.of[lane] = -1; // meets no box
     end(lane);
   }
@@ -187,7 +141,6 @@ public:
       static_assert(offsetof(HierarchyNode, first_node) == offsetof(HierarchyNode, exponents) + 4);
       long long siblings;
       std::memcpy(&siblings, &node_[lane]->exponents, sizeof siblings);
-      if constexpr (is_placed) siblings = (siblings & ~1LL) | in_mesh_[lane];
       store_eight(ahead.siblings + height, _mm256_set1_epi64x(siblings));
       store_eight(ahead.siblings + height + 4, _mm256_set1_epi64x(siblings));
       // There is room, but while a mapped file changes: then results are thrown away.
@@ -266,7 +219,7 @@ public:
     });
     if constexpr (is_placed) {
       const __m256i elsewhere = _mm256_cmpeq_epi32(load_eight(entry_), _mm256_set1_epi32(nowhere)),
-                    above = _mm256_cmpeq_epi32(load_eight(in_mesh_) | elsewhere, _mm256_setzero_si256());
+                    above = _mm256_cmpeq_epi32(load_eight(mesh_begin_) | elsewhere, _mm256_setzero_si256());
       each_bit(static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(above))), [&](int lane) {
         if (node_slots(*node_[lane]) == 0) enter_mesh(lane);
       });
@@ -280,8 +233,7 @@ private:
   // Nodes that a lane has still to visit, those of a node with the nearest last. `entries`: the bits of where
   // the ray enters them, which as whole numbers are in the same order, with the slot in place of the last
   // three: so an entry is compared with a distance whose last three bits are set. `siblings`: `exponents` of
-  // the node that they are in, of placed meshes the lowest bit whether that is one of a mesh, and, in the
-  // high half, `first_node`. Before the first are some that no ray
+  // the node that they are in and, in the high half, `first_node`. Before the first are some that no ray
   // reaches, and eight are always written, of which those that weren't met don't count.
   static constexpr int below = 9;
   struct NodesAhead {
@@ -300,9 +252,21 @@ private:
   MASU_ALWAYS_INLINE static Lanes<Stored> leaving_from(const BoxRay<Stored>& ray) { return ray.origin; }
   MASU_ALWAYS_INLINE static Lanes<Stored> leaving_from(const MovedRay& ray) { return ray.leaving; }
 
-  MASU_ALWAYS_INLINE void set_level(int lane, std::uint32_t in_mesh) {
-    in_mesh_[lane] = in_mesh;
-    if constexpr (is_placed) moved_ray_[lane] = box_rays_[lane] + in_mesh;
+  // Where a ray begins.
+  MASU_ALWAYS_INLINE const HierarchyNode* first_nodes() const {
+    if constexpr (is_placed)
+      return structure_.placed.upper_nodes;
+    else
+      return structure_.nodes;
+  }
+  MASU_ALWAYS_INLINE void set_level(int lane, const MovedRay& ray, const HierarchyNode* nodes,
+                                    std::ptrdiff_t begin) {
+    moved_ray_[lane] = &ray;
+    nodes_[lane] = nodes;
+    mesh_begin_[lane] = static_cast<std::int32_t>(begin);
+  }
+  MASU_ALWAYS_INLINE void leave_mesh([[maybe_unused]] int lane) {
+    if constexpr (is_placed) set_level(lane, box_rays_[lane][0], first_nodes(), 0);
   }
   MASU_ALWAYS_INLINE const auto& own_ray(int lane) const {
     if constexpr (is_placed)
@@ -333,8 +297,8 @@ private:
       for (int column = 0; column < 4; ++column)
         rows_[row][column].of[lane] = placement.rows[row][column];
     first_triangle_[lane] = placement.first_triangle;
-    set_level(lane, 1);
-    node_[lane] = nodes_[1] + own.root;
+    set_level(lane, box_rays_[lane][1], placed.of_meshes.nodes, height_[lane]);
+    node_[lane] = nodes_[lane] + own.root;
     prefetch(node_[lane]);
   }
   // One corner each of triangles, placed by the rows of transforms.
@@ -368,9 +332,12 @@ private:
     const std::int32_t entry = ahead_[lane].entries[height];
     const std::uint32_t before =
         _bzhi_u32(static_cast<std::uint32_t>(siblings) >> 24, static_cast<std::uint32_t>(entry & slot_mask));
-    if constexpr (is_placed) set_level(lane, siblings & 1);
-    go_to(lane, nodes_[is_placed ? siblings & 1 : 0] + (siblings >> 32) + std::popcount(before), entry,
-          height);
+    const HierarchyNode* nodes = first_nodes();
+    if constexpr (is_placed) {
+      if (height < mesh_begin_[lane]) leave_mesh(lane);
+      nodes = nodes_[lane];
+    }
+    go_to(lane, nodes + (siblings >> 32) + std::popcount(before), entry, height);
   }
 
   MASU_ALWAYS_INLINE void keep(int lane, Real t, PrimitiveIndex primitive) {
@@ -389,13 +356,12 @@ private:
   // Of each lane: its ray, and the nearest hit so far, at t_max where there is none.
   Vectors<Real, lanes> origin_, direction_, across1_, across2_;
   Numbers<Real, lanes> inverse_square_;
-  std::conditional_t<is_placed, MovedRay, BoxRay<Stored>> box_rays_[lanes]
-                                                                   [is_placed ? 2 : 1]; // and in a mesh
+  // As boxes are met by it, in the world and in a mesh.
+  std::conditional_t<is_placed, MovedRay, BoxRay<Stored>> box_rays_[lanes][is_placed ? 2 : 1];
   Real t_min_[lanes], t_max_[lanes], t_[lanes];
   Numbers<float, lanes> farthest_; // in_float32(t_); where nothing is to be met -1
   PrimitiveIndex primitive_[lanes];
 
-  const HierarchyNode* nodes_[is_placed ? 2 : 1]; // above placements, and of meshes
   // The node to visit, where the ray enters it, and what is ahead besides.
   const HierarchyNode* node_[lanes];
   std::int32_t entry_[lanes];
@@ -413,9 +379,12 @@ private:
   std::uint64_t hits_[most_tests / 64];
   std::uint32_t test_count_ = 0;
 
-  // Of each lane through placed meshes: whether it is in one, and the rows of the placement's transform.
-  std::uint32_t in_mesh_[lanes], mask_[lanes], first_triangle_[lanes];
-  const MovedRay* moved_ray_[lanes]; // of box_rays_ where it is
+  // Of each lane through placed meshes: its ray, nodes, and how high what is ahead begins, in a mesh, or 0
+  // above; and of a mesh the rows of the placement's transform.
+  const MovedRay* moved_ray_[lanes];
+  const HierarchyNode* nodes_[lanes];
+  std::int32_t mesh_begin_[lanes];
+  std::uint32_t mask_[lanes], first_triangle_[lanes];
   Numbers<Stored, lanes> rows_[3][4];
   const Structure structure_;
 };
