@@ -118,10 +118,10 @@ TEST_F(Interrupt, QueriesByBruteForceEndWhereTheProgramSaysSo) {
 }
 
 // go_on() is called a tenth of a second after a call began: what a machine does sooner is tried with twice as
-// much, `make(copies, calls)`, up to 64 times. It fails, once it has called.
+// much, `make(copies, calls)`, up to 256 times. It fails, once it has called.
 template <class Make>
 void expect_ended_once_called(const Make& make) {
-  for (std::size_t copies = 1; copies <= 64; copies *= 2) {
+  for (std::size_t copies = 1; copies <= 256; copies *= 2) {
     Calls calls{1};
     const masu_status status = make(copies, calls);
     if (calls.count > 0) return expect_ended(status, calls);
@@ -132,7 +132,7 @@ void expect_ended_once_called(const Make& make) {
 
 TEST_F(Interrupt, BuildsEndWhereTheProgramSaysSo) {
   const std::vector<float> vertices = random_vertices(200'000);
-  const std::vector<masu_mesh> meshes(64, mesh_of(vertices));
+  const std::vector<masu_mesh> meshes(256, mesh_of(vertices));
   const auto scene_of_copies = [&](std::size_t copies) {
     return masu::Scene(std::span(meshes).first(copies));
   };
