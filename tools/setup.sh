@@ -129,13 +129,15 @@ show_progress() {
   echo "   done in $((SECONDS - begin)) s"
 }
 
-# build FOLDER [cmake option…] [-- build option…]: configures and builds. MASU_STRICT of the environment is passed on.
+# build FOLDER [cmake option…] [-- build option…]: configures and builds. Of the environment MASU_STRICT is passed on, and
+# MASU_CACHE, a file of settings that take precedence.
 build() {
   local folder=$1 configure=() log
   shift
   while [ $# -gt 0 ] && [ "$1" != -- ]; do configure+=("$1"); shift; done
   [ $# -gt 0 ] && shift
   if [ -n "${MASU_STRICT:-}" ]; then configure+=("-DMASU_STRICT=$MASU_STRICT"); fi
+  if [ -n "${MASU_CACHE:-}" ]; then configure+=(-C "$MASU_CACHE"); fi
   if [ "$(uname -m)" = x86_64 ] && [ -r /proc/cpuinfo ] &&
       ! { grep -qw fma /proc/cpuinfo && grep -qw avx2 /proc/cpuinfo; }; then
     configure+=(-DMASU_AVX2=OFF)
