@@ -17,7 +17,6 @@ template <class Numbers>
 struct BoundRay {
   Numbers entering, leaving, inverse;
 };
-// To have planes moved outwards the origin is moved: against them.
 template <class Real>
 MASU_ALWAYS_INLINE Lanes<Real> bounded(Lanes<Real> inverse) {
   const Lanes<Real> limit = Real(0x1p64F);
@@ -27,6 +26,7 @@ template <class Real>
 MASU_ALWAYS_INLINE Vec3<Lanes<Real>> bounded(const Vec3<Lanes<Real>>& inverse) {
   return {bounded(inverse.x), bounded(inverse.y), bounded(inverse.z)};
 }
+// How far an origin is moved to have planes moved outwards: against them.
 template <class Real>
 MASU_ALWAYS_INLINE Lanes<Real> against(Lanes<Real> inverse, Real outwards) {
   return select(inverse < Lanes<Real>(0), Lanes<Real>(-outwards), Lanes<Real>(outwards));
@@ -49,7 +49,9 @@ template <class Real, class Placed>
 MASU_ALWAYS_INLINE BoundRay<Lanes<Real>> carried_ray(const Placed& placement, const Vec3<Real>& origin,
                                                      const Vec3<Real>& direction) {
   const auto& rows = placement.inverse;
-  const auto column = [&](int j) { return axes_of<Real>(Vec3{rows[0][j], rows[1][j], rows[2][j]}); };
+  const auto column = [&](int j) {
+    return axes_of<Real>(Vec3<Real>{Real(rows[0][j]), Real(rows[1][j]), Real(rows[2][j])});
+  };
   const Lanes<Real> x = column(0), y = column(1), z = column(2);
   const auto by_columns = [&](const Vec3<Real>& v) { return fma(x, v.x, fma(y, v.y, z * Lanes<Real>(v.z))); };
   const Lanes<Real> from = by_columns(origin - cast<Real>(placement.translation())),

@@ -46,7 +46,7 @@ struct AxesRay {
 };
 // And where in a node the planes begin that the ray meets first and last along each axis, in bytes.
 struct PlanesMet {
-  unsigned near_x, near_y, near_z, far_x, far_y, far_z;
+  unsigned near_x = 0, near_y = 0, near_z = 0, far_x = 0, far_y = 0, far_z = 0;
 };
 template <class Real>
 struct BoxRay : AxesRay<Real> {

@@ -48,6 +48,7 @@ public:
 
   EightWalks(const EightWalks&) = delete; // lanes point to rays within
   EightWalks& operator=(const EightWalks&) = delete;
+  ~EightWalks() = default;
 
   // Gives a ray to a lane: a prepared one, with its direction's inverse, bounded (bounded_inverse()).
   // `seen`: the structure as it sees it.
@@ -247,7 +248,7 @@ private:
 
   // One that leaves boxes from another origin than it enters them.
   struct MovedRay : BoxRay<Stored> {
-    Lanes<Stored> leaving;
+    Lanes<Stored> leaving = Stored(0);
   };
   MASU_ALWAYS_INLINE static Lanes<Stored> leaving_from(const BoxRay<Stored>& ray) { return ray.origin; }
   MASU_ALWAYS_INLINE static Lanes<Stored> leaving_from(const MovedRay& ray) { return ray.leaving; }
