@@ -1,5 +1,6 @@
-# How .ci/run builds, in three quarters of the time: libraries optimized less than users run them, which must give the same
+# How .ci/run builds, in less time: libraries optimized less than users run them, which must give the same
 # bits, and kernels, where there is no GPU, as far as to PTX: to be compiled for what is wrong with them, not to be run.
+set(MASU_BUILT_TO_CHECK ON CACHE BOOL "Not for use: tools/setup.sh configures such a folder anew" FORCE)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "" FORCE)
 execute_process(COMMAND nvidia-smi -L OUTPUT_VARIABLE gpus ERROR_QUIET)
 if(NOT gpus MATCHES GPU)

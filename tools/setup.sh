@@ -130,14 +130,18 @@ show_progress() {
 }
 
 # build FOLDER [cmake option…] [-- build option…]: configures and builds. Of the environment MASU_STRICT is passed on, and
-# MASU_CACHE, a file of settings that take precedence.
+# MASU_CACHE, a file of settings that take precedence; what one left of them isn't kept for a build without.
 build() {
   local folder=$1 configure=() log
   shift
   while [ $# -gt 0 ] && [ "$1" != -- ]; do configure+=("$1"); shift; done
   [ $# -gt 0 ] && shift
   if [ -n "${MASU_STRICT:-}" ]; then configure+=("-DMASU_STRICT=$MASU_STRICT"); fi
-  if [ -n "${MASU_CACHE:-}" ]; then configure+=(-C "$MASU_CACHE"); fi
+  if [ -n "${MASU_CACHE:-}" ]; then
+    configure+=(-C "$MASU_CACHE")
+  elif grep -qs '^MASU_BUILT_TO_CHECK:' "$folder/CMakeCache.txt"; then
+    rm -rf "$folder/CMakeCache.txt" "$folder/CMakeFiles"
+  fi
   if [ "$(uname -m)" = x86_64 ] && [ -r /proc/cpuinfo ] &&
       ! { grep -qw fma /proc/cpuinfo && grep -qw avx2 /proc/cpuinfo; }; then
     configure+=(-DMASU_AVX2=OFF)

@@ -15,7 +15,7 @@ echo "== tests"
 # In memory where there is room: they write and read thousands of files.
 room=$(df --output=avail -B 1G /dev/shm 2>/dev/null | tail -n 1 || true)
 if [ -z "${TMPDIR:-}" ] && [ -w /dev/shm ] && [ "${room:-0}" -ge 2 ]; then export TMPDIR=/dev/shm; fi
-# Large arrays in large pages: on virtual machines first writes to small ones are a tenth of the tests' time.
+# Large arrays in large pages: on virtual machines the first writes to small ones take long.
 export GLIBC_TUNABLES=${GLIBC_TUNABLES:-glibc.malloc.hugetlb=1}
 slow=()
 [ "${1:-}" = --full ] && slow=(-C slow)

@@ -26,10 +26,12 @@ template <class Real>
 MASU_ALWAYS_INLINE Vec3<Lanes<Real>> bounded(const Vec3<Lanes<Real>>& inverse) {
   return {bounded(inverse.x), bounded(inverse.y), bounded(inverse.z)};
 }
-// How far an origin is moved to have planes moved outwards: against them.
+// To have planes moved outwards the origin is moved: against them.
 template <class Real>
-MASU_ALWAYS_INLINE Lanes<Real> against(Lanes<Real> inverse, Real outwards) {
-  return select(inverse < Lanes<Real>(0), Lanes<Real>(-outwards), Lanes<Real>(outwards));
+MASU_ALWAYS_INLINE BoundRay<Lanes<Real>> bound_ray(Lanes<Real> from, Lanes<Real> direction, Real outwards) {
+  const Lanes<Real> inverse = bounded(finite_inverse(direction)),
+                    move = select(inverse < Lanes<Real>(0), Lanes<Real>(-outwards), Lanes<Real>(outwards));
+  return {from + move, from - move, inverse};
 }
 
 // Carried into a placement's mesh, as many rays as lanes.
@@ -37,11 +39,12 @@ template <class Real, class Placed>
 MASU_ALWAYS_INLINE BoundRay<Vec3<Lanes<Real>>>
 carried_rays(const Placed& placement, const Vec3<Lanes<Real>>& origin, const Vec3<Lanes<Real>>& direction) {
   const Vec3<Lanes<Real>> from = carried_point(placement, origin), along = carried(placement, direction);
-  const Vec3<Lanes<Real>> inverse =
-      bounded(Vec3<Lanes<Real>>{finite_inverse(along.x), finite_inverse(along.y), finite_inverse(along.z)});
-  const auto moved = [&](Lanes<Real> v) { return against<Real>(v, placement.padding); };
-  const Vec3<Lanes<Real>> move{moved(inverse.x), moved(inverse.y), moved(inverse.z)};
-  return {from + move, from - move, inverse};
+  const Real outwards = placement.padding;
+  const auto x = bound_ray(from.x, along.x, outwards), y = bound_ray(from.y, along.y, outwards),
+             z = bound_ray(from.z, along.z, outwards);
+  return {{x.entering, y.entering, z.entering},
+          {x.leaving, y.leaving, z.leaving},
+          {x.inverse, y.inverse, z.inverse}};
 }
 
 // One ray, as axes_of() has it.
@@ -54,10 +57,8 @@ MASU_ALWAYS_INLINE BoundRay<Lanes<Real>> carried_ray(const Placed& placement, co
   };
   const Lanes<Real> x = column(0), y = column(1), z = column(2);
   const auto by_columns = [&](const Vec3<Real>& v) { return fma(x, v.x, fma(y, v.y, z * Lanes<Real>(v.z))); };
-  const Lanes<Real> from = by_columns(origin - cast<Real>(placement.translation())),
-                    inverse = bounded(finite_inverse(by_columns(direction))),
-                    move = against<Real>(inverse, placement.padding);
-  return {from + move, from - move, inverse};
+  return bound_ray(by_columns(origin - cast<Real>(placement.translation())), by_columns(direction),
+                   Real(placement.padding));
 }
 
 } // namespace masu

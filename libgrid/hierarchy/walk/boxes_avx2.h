@@ -39,24 +39,22 @@ MASU_ALWAYS_INLINE Lanes<Real> axes_of(const Vec3<From>& from) {
     return _mm256_setr_pd(v.x, v.y, v.z, 0);
 }
 
-// What of a ray the test of a node needs, as axes_of() has it, of whatever in the fourth lane.
-template <class Real>
-struct AxesRay {
-  Lanes<Real> origin, inverse;
-};
-// And where in a node the planes begin that the ray meets first and last along each axis, in bytes.
+// Where in a node the planes begin that a ray meets first and last along each axis, in bytes.
 struct PlanesMet {
   unsigned near_x = 0, near_y = 0, near_z = 0, far_x = 0, far_y = 0, far_z = 0;
 };
+// What of a ray the test of a node needs.
 template <class Real>
-struct BoxRay : AxesRay<Real> {
+struct BoxRay {
+  Lanes<Real> origin, inverse; // as axes_of() has them, with whatever in the fourth lane
   PlanesMet planes;
 
-  MASU_ALWAYS_INLINE explicit BoxRay(const AxesRay<Real>& bounded)
-      : AxesRay<Real>(bounded), planes(planes_met[LaneMask<Real>(bounded.inverse.v).bits() & 7]) {}
+  MASU_ALWAYS_INLINE BoxRay(Lanes<Real> from, Lanes<Real> bounded_inverse)
+      : origin(from), inverse(bounded_inverse),
+        planes(planes_met[LaneMask<Real>(bounded_inverse.v).bits() & 7]) {}
   template <class From>
   MASU_ALWAYS_INLINE BoxRay(const Vec3<From>& from, const Vec3<From>& bounded_inverse)
-      : BoxRay(AxesRay<Real>{axes_of<Real>(from), axes_of<Real>(bounded_inverse)}) {}
+      : BoxRay(axes_of<Real>(from), axes_of<Real>(bounded_inverse)) {}
   BoxRay() : BoxRay(Vec3<Real>{0, 0, 0}, Vec3<Real>{1, 1, 1}) {} // any
 
 private:
@@ -126,10 +124,11 @@ MASU_ALWAYS_INLINE BoxesMet<Real> boxes_met(const Vec3<Lanes<Real>>& near, const
 }
 
 // Of a node's boxes those that are entered by one ray, as far as `farthest`, before they are left by another
-// that runs the same way along each axis, or the same one. `enter` is rounded: not beyond `farthest`.
+// that runs the same way along each axis, or the same one: of which two lanes are given, not a ray, since
+// compilers copy a ray through memory. `enter` is rounded: not beyond `farthest`.
 template <class Real>
 MASU_ALWAYS_INLINE BoxesMet<float> boxes_met(const HierarchyNode& node, const NodePlanes& planes,
-                                             const AxesRay<Real>& entering, Lanes<Real> leaving_origin,
+                                             const BoxRay<Real>& entering, Lanes<Real> leaving_origin,
                                              Lanes<Real> leaving_inverse, float farthest) {
   const __m128i exponents = _mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(node.exponents)));
   const auto axes = [](__m128 v) { return part_of<Real>(_mm256_castps128_ps256(v), 0); };

@@ -291,7 +291,7 @@ private:
     if (!PlacedRay<Stored>{placed, 0, mask_[lane], structure_.object_masks}.sees(item, own)) return;
     const auto i = static_cast<std::size_t>(lane);
     const BoundRay<Lanes<Real>> ray = carried_ray(own, origin_.of(i), direction_.of(i));
-    box_rays_[lane][1] = {BoxRay<Stored>({rounded<Stored>(ray.entering), rounded<Stored>(ray.inverse)}),
+    box_rays_[lane][1] = {BoxRay<Stored>(rounded<Stored>(ray.entering), rounded<Stored>(ray.inverse)),
                           rounded<Stored>(ray.leaving)};
     const Placement<Stored>& placement = placed.placements[item];
     for (int row = 0; row < 3; ++row)
@@ -381,7 +381,7 @@ private:
   std::uint32_t test_count_ = 0;
 
   // Of each lane through placed meshes: its ray, nodes, and how high what is ahead begins, in a mesh, or 0
-  // above; and of a mesh the rows of the placement's transform.
+  // above: for each node all three are needed; and of a mesh the rows of the placement's transform.
   const MovedRay* moved_ray_[lanes];
   const HierarchyNode* nodes_[lanes];
   std::int32_t mesh_begin_[lanes];
