@@ -8,8 +8,6 @@
 #include "libscene/base/error.h"
 
 #include <mpi.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -37,8 +35,8 @@ enum Tag : int { addition_tag = 1, reply_tag = 2 };
 // Between two looks at what others do; longer and longer for who waits.
 constexpr auto pause = std::chrono::microseconds(200), longest_pause = std::chrono::microseconds(5000);
 constexpr auto between_idle_calls = std::chrono::milliseconds(200);
-constexpr auto patience = std::chrono::seconds(20);  // for the rank that reports an error to end all
-constexpr auto forwarding = std::chrono::seconds(1); // of its line, at most
+constexpr auto patience = std::chrono::seconds(20);         // for the rank that reports an error to end all
+constexpr auto forwarding = std::chrono::milliseconds(100); // its line, before mpirun's own about the end
 
 // The rank that this process was launched as; nothing where it was started by itself.
 std::optional<int> launched_as() {
@@ -46,16 +44,6 @@ std::optional<int> launched_as() {
     if (const char* const rank = std::getenv(name)) return std::atoi(rank);
   }
   return {};
-}
-
-// Until mpirun has read what it forwards of standard error, a pipe: else its own lines about the end could
-// come first, the last of which Open MPI 5 ends with a zero byte.
-void flush_forwarded_error() {
-  static_cast<void>(std::fflush(stderr));
-  const auto begin = std::chrono::steady_clock::now();
-  for (int unread = 0; ioctl(STDERR_FILENO, FIONREAD, &unread) == 0 && unread > 0 &&
-                       std::chrono::steady_clock::now() - begin < forwarding;)
-    std::this_thread::sleep_for(pause);
 }
 
 } // namespace
@@ -238,8 +226,8 @@ bool Ranks::is_first_to_fail() {
 
 int Ranks::ended(int code) {
   if (code == 0 || count_ == 1) return code;
-  // The first one to fail ends all, as soon as its line is out. The others let it.
-  state_->reports ? flush_forwarded_error() : std::this_thread::sleep_for(patience);
+  // The first one to fail ends all, when mpirun has had time to forward its line. The others let it.
+  std::this_thread::sleep_for(state_->reports ? forwarding : patience);
   MPI_Abort(MPI_COMM_WORLD, code);
   return code;
 }
