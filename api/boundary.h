@@ -1,7 +1,7 @@
-// What the functions of the C interface share: arguments are checked, exceptions become statuses.
+// What the functions of the C interface share: arguments are checked, exceptions become statuses, and a
+// program's go_on() (masu.h) the progress that libraries report to.
 #pragma once
 
-#include "go_on.h"
 #include "libscene/base/error.h"
 #include "masu.h"
 
@@ -9,13 +9,56 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <new>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace masu {
+
+// Thrown where go_on() has returned 0.
+struct Interrupted {};
+
+// Of a call, in whose thread it is made: only there go_on() is called. Where libraries report from other
+// threads, they learn whether it has returned 0.
+class GoOn {
+public:
+  GoOn(masu_go_on go_on, void* user) : go_on_(go_on), user_(user) {}
+  GoOn(const GoOn&) = delete;
+  GoOn& operator=(const GoOn&) = delete;
+  ~GoOn() = default;
+
+  // Empty where there is no go_on(). It refers to this.
+  std::function<void(double)> progress() {
+    if (go_on_ == nullptr) return {};
+    return [this](double done) { report(done); };
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds apart{100};
+
+  void report(double done) {
+    if (has_ended_) throw Interrupted();
+    if (std::this_thread::get_id() != caller_) return;
+    if (const Clock::time_point now = Clock::now(); now < next_) return;
+    // Isolated, or what go_on() calls might wait by taking tasks of this call, which would get here again.
+    has_ended_ = tbb::this_task_arena::isolate([&] { return go_on_(user_, done) == 0; });
+    if (has_ended_) throw Interrupted();
+    next_ = Clock::now() + apart;
+  }
+
+  masu_go_on go_on_;
+  void* user_;
+  std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<bool> has_ended_ = false;
+  Clock::time_point next_ = Clock::now() + apart; // the caller's thread alone looks at it
+};
 
 // Keeps the text for masu_error(), as one line, and returns the status.
 masu_status report(masu_status status, std::string_view text) noexcept;
@@ -39,10 +82,6 @@ masu_status guarded(const Act& act) noexcept {
   }
 }
 
-[[noreturn]] inline void fail(const char* place, const std::string& what) {
-  throw Error(ErrorCode::usage, place, what);
-}
-
 inline void require(const void* pointer, const char* place) {
   if (pointer == nullptr) fail(place, "is a null pointer");
 }
@@ -57,9 +96,6 @@ inline void require_numbers(const float* floats, const double* doubles, std::siz
 inline void require_range(double value, double low, double high, const char* place) {
   if (!(value >= low && value <= high)) fail(place, fmt::format("{} isn't from {} to {}", value, low, high));
 }
-
-// Throws Error(device) where there is no GPU of that number.
-void require_gpu(int number);
 
 // What act() returns, on no more threads than so many; 0: on all.
 template <class Act>

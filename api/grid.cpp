@@ -54,26 +54,6 @@ StructureFile built_grid(const SceneFile& scene, const BuildOptions& options, in
                          device == MASU_CPU ? std::nullopt : std::optional<int>(device));
 }
 
-template <class Stored>
-StructureFile refitted(const StructureFile& from, const SceneFile& scene, const SceneView<Stored>& view) {
-  const fb::Structure& table = from.table();
-  const StructureProvenance provenance{scene.geometry_hash(),
-                                       scene.primitive_count(),
-                                       scene.origin(),
-                                       static_cast<SpaceRule>(table.space_rule()),
-                                       static_cast<Overlap>(table.overlap()),
-                                       table.division_rule()->str(),
-                                       {},
-                                       from.quality()};
-  const auto layout = layout_in<Stored>(scene.bounds(), {1, 1, 1}, provenance.space_rule);
-  Structure grid;
-  grid.kind = StructureKind::hierarchy;
-  grid.nodes.assign(from.nodes().begin(), from.nodes().end());
-  grid.references.assign(from.references().begin(), from.references().end());
-  if (!refit_hierarchy(view, layout, grid)) grid = build_hierarchy(view, layout, provenance.quality);
-  return structure_in_memory(grid, provenance);
-}
-
 std::unique_ptr<masu_grid> held(StructureFile file) {
   return std::make_unique<masu_grid>(masu_grid{std::make_shared<const StructureFile>(std::move(file))});
 }
@@ -83,7 +63,24 @@ std::unique_ptr<masu_grid> held(StructureFile file) {
 namespace masu {
 
 StructureFile refitted_grid(const StructureFile& from, const SceneFile& scene) {
-  return scene.with_view([&](const auto& view) { return refitted(from, scene, view); });
+  const fb::Structure& table = from.table();
+  const StructureProvenance provenance{scene.geometry_hash(),
+                                       scene.primitive_count(),
+                                       scene.origin(),
+                                       static_cast<SpaceRule>(table.space_rule()),
+                                       static_cast<Overlap>(table.overlap()),
+                                       table.division_rule()->str(),
+                                       {},
+                                       from.quality()};
+  return scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
+    const auto layout = layout_in<Stored>(scene.bounds(), {1, 1, 1}, provenance.space_rule);
+    Structure grid;
+    grid.kind = StructureKind::hierarchy;
+    grid.nodes.assign(from.nodes().begin(), from.nodes().end());
+    grid.references.assign(from.references().begin(), from.references().end());
+    if (!refit_hierarchy(view, layout, grid)) grid = build_hierarchy(view, layout, provenance.quality);
+    return structure_in_memory(grid, provenance);
+  });
 }
 
 void require_hierarchy(const StructureFile* grid) {

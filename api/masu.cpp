@@ -103,6 +103,12 @@ masu_status report(masu_status status, std::string_view text) noexcept {
   return status;
 }
 
+} // namespace masu
+
+namespace {
+
+using namespace masu;
+
 void require_gpu(int number) {
   const int count = cuda_device_count();
   if (number >= 0 && number < count) return;
@@ -110,12 +116,6 @@ void require_gpu(int number) {
   if (count == 0) cuda_available(why);
   throw Error(ErrorCode::device, "device", why + ": use MASU_CPU");
 }
-
-} // namespace masu
-
-namespace {
-
-using namespace masu;
 
 constexpr RayFormat ray_formats[] = {{8, false}, {6, false}, {8, true}, {6, true}};
 RayFormat place_format(const masu_query& query) {
@@ -150,7 +150,8 @@ RayResults results_of(const masu_hits* hits) {
 }
 
 RayFilters filters_of(const masu_query& query) {
-  return {query.exclude, query.ray_masks, query.object_masks, query.object_count};
+  return {query.exclude,      query.ray_masks,       query.object_masks,
+          query.object_count, query.exclude_objects, query.worlds};
 }
 
 // An array that may be null: that it lies where the others do, and as its numbers must.
@@ -161,17 +162,6 @@ void check_array(int place, const T* array, const char* name) {
     fail(name, "don't lie where the other arrays do: take memory of one kind and device for all");
   if (reinterpret_cast<std::uintptr_t>(array) % alignof(T) != 0)
     fail(name, "aren't aligned as their numbers must be");
-}
-
-void check_arrays(int place, const RayResults& results, const RayFilters& filters,
-                  const PlacedFilters& placed_filters) {
-  const auto check = [place](const auto* array) { check_array(place, array, "results"); };
-  for_each_array(results, check);
-  check(filters.excluded);
-  check(filters.object_masks);
-  check(filters.ray_masks);
-  check(placed_filters.excluded_objects);
-  check(placed_filters.worlds);
 }
 
 // What a tracer keeps, made by its first query. Of threads that ask at once each makes it, and the first is
@@ -191,7 +181,7 @@ std::shared_ptr<const T> kept(const State& tracer, std::shared_ptr<const T>& kep
 
 // What it traces through; null for brute force and placed meshes.
 std::shared_ptr<const StructureFile> grid_of(const State& state) {
-  if (state.grid || state.placed() != nullptr || !state.resident().is_built_here()) return state.grid;
+  if (state.grid || state.placed() != nullptr || !state.resident().is_hierarchy()) return state.grid;
   return kept(state, state.built_grid,
               [&] { return std::make_shared<const StructureFile>(state.resident().built_hierarchy()); });
 }
@@ -247,9 +237,13 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
                is_of_places ? place_format(wanted) : ray_formats[choice<int>(wanted.format, 4, "format")]);
   list.format.is_relative = wanted.relative != 0;
   list.filters = filters_of(wanted);
-  list.placed_filters = {wanted.exclude_objects, wanted.worlds};
   const int place = device_of(rays);
-  check_arrays(place, results, list.filters, list.placed_filters);
+  const auto check = [place](const auto* array) { check_array(place, array, "results"); };
+  for_each_array(results, check);
+  const RayFilters& f = list.filters;
+  for (const std::uint32_t* const array :
+       {f.excluded, f.object_masks, f.ray_masks, f.excluded_objects, f.worlds})
+    check(array);
   auto state = tracer_handle.state();
   if (is_of_places) on_threads_up_to(wanted.threads, [&] { state = by_hierarchy(state, request.progress); });
   const auto loop = choice<int>(wanted.loop, 4, "loop");
@@ -484,7 +478,7 @@ masu_status masu_winding(const masu_tracer* tracer, const void* places, size_t c
   return guarded([&] {
     require(tracer, "tracer");
     const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
-    if (filters_of(wanted).any() || PlacedFilters{wanted.exclude_objects, wanted.worlds}.any())
+    if (const RayFilters filters = filters_of(wanted); filters.any() || filters.any_of_placed())
       fail("masu_query", "has exclude, masks or worlds: winding numbers are of all triangles");
     if (tracer->state()->placed() != nullptr)
       fail("tracer", "the scene has placements: winding numbers are of scenes without them");

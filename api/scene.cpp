@@ -22,11 +22,6 @@ namespace {
 
 using namespace masu;
 
-template <class Number>
-Vec3d vector_at(const Number* numbers) {
-  return {static_cast<double>(numbers[0]), static_cast<double>(numbers[1]), static_cast<double>(numbers[2])};
-}
-
 void set_color(Vec3f& color, const float* given) {
   if (given == nullptr) return;
   color = {given[0], given[1], given[2]};
@@ -181,7 +176,7 @@ masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene)
     for_each_taken(given.meshes, given.mesh_count, "masu_mesh",
                    [&](const masu_mesh& mesh) { meshes.push_back(mesh_of(mesh, copies)); });
     std::optional<Vec3d> origin;
-    if (given.origin != nullptr) origin = vector_at(given.origin);
+    if (given.origin != nullptr) origin = Vec3d{given.origin[0], given.origin[1], given.origin[2]};
     const auto store = choice<Store>(given.store, 3, "store");
     GoOn go_on(given.go_on, given.user);
     const ProgressMonitor progress(go_on.progress());

@@ -44,11 +44,6 @@ def box():
     return corners, np.array([triangle for a, b, c, d in faces for triangle in ((a, b, c), (a, c, d))])
 
 
-def turned(x, z, cosine, sine):
-    """A vector of the body's (x, z) by its yaw, as columns (x, y, z)."""
-    return x * cosine, x * sine, z
-
-
 def poses(step):
     """Transforms (worlds, 13, 3, 4) of unit boxes, and the lidars' places (worlds, 3), with the yaws' cosines and sines."""
     angle = phases + 0.004 * step
@@ -72,7 +67,8 @@ def poses(step):
         knee = 0.6 * swing - 0.3
         at = [x + ahead * cosine - aside * sine, y + ahead * sine + aside * cosine, base]
         for link, (pitch, length) in enumerate(((swing, 0.3), (knee, 0.3), (0 * knee, 0.05)), 1 + 3 * leg):
-            along = turned(-xp.sin(pitch) * length, -xp.cos(pitch) * length, cosine, sine)
+            forward = -xp.sin(pitch) * length  # in the body's space
+            along = forward * cosine, forward * sine, -xp.cos(pitch) * length
             put(link, [a + b / 2 for a, b in zip(at, along)], -pitch)
             at = [a + b for a, b in zip(at, along)]
     lidars = xp.stack([x, y, base + 0.35], -1)

@@ -9,24 +9,19 @@
 namespace masu {
 namespace {
 
-// A sphere for each end of a cone.
-Boxd box_of_sphere(const Vec3d& center, double radius) {
-  return grown(Boxd{center, center}, std::abs(radius));
+// Of a cone, that of a sphere for each end.
+Boxd rough_box(const auto& record) {
+  return bounds(record);
 }
-struct RoughBox {
-  Boxd operator()(const Boxd& box) const { return box; }
-  Boxd operator()(const SceneTriangle& t) const { return bounds(t); }
-  Boxd operator()(const Sphere<double>& s) const { return box_of_sphere(s.center, s.radius); }
-  Boxd operator()(const Cone<double>& c) const {
-    return join(box_of_sphere(c.base, c.base_radius), box_of_sphere(c.apex, c.apex_radius));
-  }
-};
+Boxd rough_box(const Cone<double>& c) {
+  return join(bounds(Sphere<double>{c.base, c.base_radius}), bounds(Sphere<double>{c.apex, c.apex_radius}));
+}
 
 } // namespace
 
 template <class Triangles>
 Sphere<double> bounding_sphere(const SceneOf<Triangles>& scene) {
-  Boxd box = joined_boxes(scene, RoughBox{});
+  Boxd box = joined_boxes(scene, [](const auto& record) { return rough_box(record); });
   if (is_empty(box)) box = {{0, 0, 0}, {0, 0, 0}};
   const Vec3d center = box.min * 0.5 + box.max * 0.5;
   const Vec3d half = box.max * 0.5 - box.min * 0.5;
@@ -46,16 +41,11 @@ double framing_distance(double radius, double angle, std::int32_t width, std::in
 }
 
 Camera automatic_camera(const Sphere<double>& whole, bool is_y_up, std::int32_t width, std::int32_t height) {
-  Camera camera{};
-  camera.angle = 45;
-  camera.hither = 0.01;
-  camera.width = width;
-  camera.height = height;
-  camera.up = is_y_up ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-  camera.at = whole.center;
+  constexpr double angle = 45;
+  const Vec3d up = is_y_up ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
   const Vec3d forward = direction(is_y_up ? Vec3d{-1, -1.2, -2} : Vec3d{-1, 2, -1.2});
-  camera.from = camera.at - forward * framing_distance(whole.radius, camera.angle, width, height);
-  return camera;
+  const Vec3d from = whole.center - forward * framing_distance(whole.radius, angle, width, height);
+  return {from, whole.center, up, angle, 0.01, width, height};
 }
 
 Vec3d direction(const Vec3d& v) {

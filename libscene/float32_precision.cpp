@@ -69,8 +69,7 @@ double rounding_of(const Cone<double>& c) {
 
 // How far rounding moves a cone's side at most: its ends, its radii, and its rims by the turn of its axis.
 double movement_of(const Cone<double>& cone) {
-  const Cone<float> stored{cast<float>(cone.base), static_cast<float>(cone.base_radius),
-                           cast<float>(cone.apex), static_cast<float>(cone.apex_radius)};
+  const auto stored = cast<float>(cone);
   if (is_empty(bounds(stored))) return std::numeric_limits<double>::infinity(); // no length
   const Cone<double> rounded = widened(stored);
   const Vec3d axis = normalized(cone.apex - cone.base), turned = normalized(rounded.apex - rounded.base);
@@ -198,19 +197,23 @@ std::uint64_t triangles_alone(const Triangles& triangles, const Vec3d& origin, d
 
 // --- All of a scene -------------------------------------------------------------------------------------
 
-struct OfTriangles {
-  Boxd box = empty_box<double>();                                       // of those with a surface
-  double rounding = 0, least = std::numeric_limits<double>::infinity(); // extent
-  OfTriangles& operator+=(const OfTriangles& other) {
+// What there is among some primitives.
+struct Found {
+  Boxd box = empty_box<double>();                                       // of triangles with a surface
+  double rounding = 0, least = std::numeric_limits<double>::infinity(); // the least triangle's extent
+  std::uint64_t small = 0, moved = 0;                                   // spheres and cones
+  Found& operator+=(const Found& other) {
     box = join(box, other.box);
     rounding = std::max(rounding, other.rounding);
     least = std::min(least, other.least);
+    small += other.small;
+    moved += other.moved;
     return *this;
   }
 };
 
-OfTriangles of_triangles(const auto& triangles, const Vec3d& origin, const ProgressMonitor* progress) {
-  return gathered<OfTriangles>(triangles, progress, [&](const auto& stored, auto& part, std::size_t) {
+Found of_triangles(const auto& triangles, const Vec3d& origin, const ProgressMonitor* progress) {
+  return gathered<Found>(triangles, progress, [&](const auto& stored, auto& part, std::size_t) {
     const SceneTriangle t = relative_to(origin, widened(stored));
     const Boxd box = bounds(t);
     if (has_surface(widened(t))) part.box = join(part.box, box);
@@ -219,23 +222,12 @@ OfTriangles of_triangles(const auto& triangles, const Vec3d& origin, const Progr
   });
 }
 // Those without a surface lie at a corner of one that has one, and belong to it; or all are points.
-OfTriangles of_triangles(const MeshTriangles& triangles, const Vec3d& origin, const ProgressMonitor*) {
+Found of_triangles(const MeshTriangles& triangles, const Vec3d& origin, const ProgressMonitor*) {
   constexpr double none = std::numeric_limits<double>::infinity();
   if (!(triangles.least_extent() < none)) return {.least = triangles.size() > 0 ? 0 : none};
   // Half, since what is subtracted from its corners may round their distances.
   return {relative_to(origin, triangles.box()), 0, triangles.least_extent() / 2};
 }
-
-struct Found {
-  double rounding = 0;
-  std::uint64_t small = 0, moved = 0;
-  Found& operator+=(const Found& other) {
-    rounding = std::max(rounding, other.rounding);
-    small += other.small;
-    moved += other.moved;
-    return *this;
-  }
-};
 
 } // namespace
 
@@ -248,10 +240,10 @@ Float32Precision float32_precision(const SceneSpans<Stored, Triangles>& scene,
         return largest_magnitude(cast<double>(light.position) - scene.origin) <= max_float32_reach;
       });
   const auto moved = [&](const auto& record) { return relative_to(scene.origin, widened(record)); };
-  const OfTriangles triangles = of_triangles(scene.triangles, scene.origin, progress);
+  Found found = of_triangles(scene.triangles, scene.origin, progress);
   const auto box_of = [&](const auto& stored) { return bounds(moved(stored)); };
   const Boxd box =
-      join(triangles.box, join(joined_boxes(scene.spheres, box_of), joined_boxes(scene.cones, box_of)));
+      join(found.box, join(joined_boxes(scene.spheres, box_of), joined_boxes(scene.cones, box_of)));
   result.in_range = lights_in_range;
   if (is_empty(box)) return result;
   const double reach = largest_magnitude(box);
@@ -263,20 +255,22 @@ Float32Precision float32_precision(const SceneSpans<Stored, Triangles>& scene,
     return result;
   }
   const double size = 2 * result.margin;
-  Found found{triangles.rounding};
   found +=
       gathered<Found>(scene.spheres, progress, [&](const Sphere<Stored>& stored, Found& part, std::size_t) {
         const Sphere<double> s = moved(stored);
-        part += {rounding_of(s), extent(bounds(s)) <= size ? 1U : 0U, 0};
+        part.rounding = std::max(part.rounding, rounding_of(s));
+        part.small += extent(bounds(s)) <= size ? 1 : 0;
       });
   found += gathered<Found>(scene.cones, progress, [&](const Cone<Stored>& stored, Found& part, std::size_t) {
     const Cone<double> c = moved(stored);
-    part += {rounding_of(c), extent(bounds(c)) <= size ? 1U : 0U, movement_of(c) > result.margin ? 1U : 0U};
+    part.rounding = std::max(part.rounding, rounding_of(c));
+    part.small += extent(bounds(c)) <= size ? 1 : 0;
+    part.moved += movement_of(c) > result.margin ? 1 : 0;
   });
   result.rounding = found.rounding;
   result.moved_cones = found.moved;
   result.standing_alone = found.small;
-  if (triangles.least <= size)
+  if (found.least <= size)
     result.standing_alone += triangles_alone(scene.triangles, scene.origin, size, progress);
   return result;
 }

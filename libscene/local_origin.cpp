@@ -12,8 +12,7 @@ namespace {
 
 // Of a record's points, without radii: exact.
 struct PointBox {
-  Boxd operator()(const Boxd& box) const { return box; }
-  Boxd operator()(const SceneTriangle& t) const { return bounds(t); }
+  Boxd operator()(const auto& box_or_triangle) const { return bounds(box_or_triangle); }
   Boxd operator()(const Sphere<double>& s) const { return {s.center, s.center}; }
   Boxd operator()(const Cone<double>& c) const { return join(Boxd{c.base, c.base}, c.apex); }
 };

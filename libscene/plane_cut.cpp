@@ -147,6 +147,13 @@ private:
     return std::max(chords_for(widest, options_.deviation), 32);
   }
 
+  template <class At>
+  void both_sides(int chords, const At& at) {
+    for (const double side : {1.0, -1.0})
+      for (int i = 0; i < chords; ++i)
+        segment(at(i, side), at(i + 1, side));
+  }
+
   // z(cos φ) is monotonic, so that 0 ≤ z ≤ 1 holds for an interval of cosines.
   void cut_around(const ConePlane& plane) {
     const auto z_at = [&](double cosine) {
@@ -163,17 +170,12 @@ private:
     bound(z_high, high);
     const double from = std::acos(high), to = std::acos(low);
     const int chords = chords_of(plane) / 2;
-    for (const double side : {1.0, -1.0}) {
-      for (int i = 0; i < chords; ++i) {
-        const auto at = [&](int chord) {
-          const double cosine = chord == 0        ? high
-                                : chord == chords ? low
-                                                  : std::cos(from + (to - from) * chord / chords);
-          return in_plane(plane.point(std::clamp(z_at(cosine), 0.0, 1.0), cosine, side));
-        };
-        segment(at(i), at(i + 1));
-      }
-    }
+    both_sides(chords, [&](int chord, double side) {
+      const double cosine = chord == 0        ? high
+                            : chord == chords ? low
+                                              : std::cos(from + (to - from) * chord / chords);
+      return in_plane(plane.point(std::clamp(z_at(cosine), 0.0, 1.0), cosine, side));
+    });
   }
 
   // |D - z·A| ≤ s·R(z): two linear inequalities, so that z is in an interval.
@@ -188,15 +190,12 @@ private:
     limit(plane.s * plane.radius + plane.D, plane.s * plane.growth - plane.A);
     if (!(low < high)) return;
     const int chords = chords_of(plane) / 2;
-    for (const double side : {1.0, -1.0}) {
-      const auto at = [&](int chord) { // closer together at the ends, where the curve may turn back
-        const double share = (1 - std::cos(pi * chord / chords)) / 2;
-        const double z = chord == chords ? high : low + (high - low) * share;
-        return in_plane(plane.point(z, std::clamp(plane.cosine_at(z), -1.0, 1.0), side));
-      };
-      for (int i = 0; i < chords; ++i)
-        segment(at(i), at(i + 1));
-    }
+    both_sides(chords, [&](int chord, double side) {
+      // Closer together at the ends, where the curve may turn back.
+      const double share = (1 - std::cos(pi * chord / chords)) / 2;
+      const double z = chord == chords ? high : low + (high - low) * share;
+      return in_plane(plane.point(z, std::clamp(plane.cosine_at(z), -1.0, 1.0), side));
+    });
   }
 
   const PlaneCut& options_;

@@ -41,6 +41,10 @@ struct Light {
   Vec3<Stored> position;
   Vec3<Stored> intensity;
 };
+template <class To, class From>
+Light<To> cast(const Light<From>& l) {
+  return {cast<To>(l.position), cast<To>(l.intensity)};
+}
 static_assert(sizeof(Light<float>) == 24 && sizeof(Light<double>) == 48);
 
 // Counts of input that can't be rendered as given, for a tool to warn about.

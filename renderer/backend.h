@@ -19,12 +19,6 @@ namespace masu {
 
 struct DeviceFiles; // a scene and its structure in a GPU's memory
 
-// Where a frame keeps its costs.
-inline RayCosts costs_of(Frame& frame) {
-  return {frame.cells.empty() ? nullptr : frame.cells.data(),
-          frame.tests.empty() ? nullptr : frame.tests.data()};
-}
-
 // Arrays of objects and normals as those of a list's results.
 inline RayResults attribute_results(std::int32_t* objects, Vec3f* normals) {
   static_assert(sizeof(Vec3f) == sizeof(float[3]));
@@ -32,11 +26,6 @@ inline RayResults attribute_results(std::int32_t* objects, Vec3f* normals) {
   results.object = reinterpret_cast<std::uint32_t*>(objects);
   results.normal = reinterpret_cast<float(*)[3]>(normals);
   return results;
-}
-
-// A camera ray's hit as that of a list, named by primitive.
-MASU_HD inline Hit<float> listed(const HitRecord& hit) {
-  return {hit.t, static_cast<PrimitiveIndex>(hit.name)};
 }
 
 // The grid is null for brute force. Files are checked, and the precision is resolved.
@@ -61,11 +50,12 @@ Structure built_hierarchy_cuda(const DeviceFiles& files);
 // ResidentTracer::moved() on a device, of a scene of that origin: null where it returns none.
 std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const Vec3d& origin,
                                                     const Vertices& vertices);
+
 // The kinds of primitives in them (with_triangles, …).
 unsigned kinds_on(const DeviceFiles& files);
 
-// Copies rays to the device, and makes room there for t, primitive and occluded.
-ResidentRays upload_rays_cuda(const RayList& rays, int device);
+// Copies bytes to the device.
+std::shared_ptr<std::uint8_t> uploaded_cuda(std::span<const std::uint8_t> bytes, int device);
 
 void render_cuda(const DeviceFiles& files, const FrameRequest& request, Frame& frame);
 

@@ -14,6 +14,11 @@ namespace masu {
 enum class Sampling { corners, centers, sparse };
 inline constexpr std::int32_t sparse_side = 64;
 
+// Rays at a pixel's corners are shared with its neighbours: there is a row and a column more of them.
+MASU_HD inline std::int32_t rays_beyond_pixels(Sampling sampling) {
+  return sampling == Sampling::corners ? 1 : 0;
+}
+
 // A part of a picture's camera rays, which are numbered from the top left. No columns: all of them.
 struct RayWindow {
   std::int32_t first_column = 0, first_row = 0, columns = 0, rows = 0;
@@ -22,7 +27,7 @@ struct RayWindow {
 // Of a whole picture.
 inline RayWindow all_rays(const Camera& camera, Sampling sampling) {
   if (sampling == Sampling::sparse) return {0, 0, sparse_side, sparse_side};
-  const std::int32_t more = sampling == Sampling::corners ? 1 : 0;
+  const std::int32_t more = rays_beyond_pixels(sampling);
   return {0, 0, camera.width + more, camera.height + more};
 }
 

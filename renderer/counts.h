@@ -42,19 +42,11 @@ struct Counts {
 // Calls act(a's count, b's) for each count.
 template <class A, class B, class Act>
 MASU_HD inline void for_each_count(A& a, B& b, const Act& act) {
-  act(a.camera_rays, b.camera_rays);
-  act(a.camera_hits, b.camera_hits);
-  act(a.reflection_rays, b.reflection_rays);
-  act(a.refraction_rays, b.refraction_rays);
-  act(a.secondary_hits, b.secondary_hits);
-  act(a.shadow_rays, b.shadow_rays);
-  act(a.shadow_hits, b.shadow_hits);
-  act(a.triangle_tests, b.triangle_tests);
-  act(a.sphere_tests, b.sphere_tests);
-  act(a.cone_tests, b.cone_tests);
-  act(a.cells_visited, b.cells_visited);
-  act(a.empty_cells_visited, b.empty_cells_visited);
-  act(a.voxels_skipped, b.voxels_skipped);
+  const auto all = [&](auto... counts) { (act(a.*counts, b.*counts), ...); };
+  all(&Counts::camera_rays, &Counts::camera_hits, &Counts::reflection_rays, &Counts::refraction_rays,
+      &Counts::secondary_hits, &Counts::shadow_rays, &Counts::shadow_hits, &Counts::triangle_tests,
+      &Counts::sphere_tests, &Counts::cone_tests, &Counts::cells_visited, &Counts::empty_cells_visited,
+      &Counts::voxels_skipped);
 }
 
 // Where the cells visited and the primitive tests of each ray go, or of each camera ray and all that it

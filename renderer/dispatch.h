@@ -2,29 +2,46 @@
 #pragma once
 
 #include "libgrid/file/structure_file.h"
-#include "libgrid/trace/any_structure.h"
-#include "renderer/arithmetic.h"
+#include "libgrid/trace/trace.h"
+#include "libscene/geometry/textbook.h"
+#include "libscene/scene_view.h"
 #include "renderer/counts.h"
 #include "renderer/render_pixel.h"
 #include "renderer/tracing_rules.h"
 
-#include <algorithm>
 #include <optional>
-#include <span>
 #include <type_traits>
 
 namespace masu {
+
+// The ray of an arithmetic, as a type.
+template <class TestRay>
+using Arithmetic = std::type_identity<TestRay>;
+
+// Calls act(Arithmetic) with the precision's ray; `precision` is resolved.
+template <class Stored, class Act>
+void with_arithmetic(const SceneView<Stored>&, Precision precision, const Act& act) {
+  if constexpr (std::is_same_v<Stored, float>) {
+    if (precision == Precision::fast) return act(Arithmetic<TextbookRay>{});
+    if (precision != Precision::doubled) return act(Arithmetic<WatertightRay<float>>{});
+  }
+  act(Arithmetic<WatertightRay<double>>{});
+}
+
+// Calls act(SceneView of the scene's own store, Arithmetic). Throws Error(usage) as resolved() does.
+template <class Act>
+void with_store_and_arithmetic(const SceneFile& scene, Precision precision, const Act& act) {
+  precision = resolved(precision, scene);
+  scene.with_view([&](const auto& view) {
+    with_arithmetic(view, precision, [&](auto arithmetic) { act(view, arithmetic); });
+  });
+}
 
 // The kinds of primitives that a scene holds.
 template <class Stored>
 unsigned kinds_in(const SceneView<Stored>& scene, bool has_tapers) {
   return (scene.triangle_count > 0 ? with_triangles : 0) | (scene.sphere_count > 0 ? with_spheres : 0) |
          (scene.cone_count > 0 ? with_cones : 0) | (has_tapers ? with_tapers : 0);
-}
-// Of one in the host's memory.
-template <class Stored>
-unsigned kinds_in(const SceneView<Stored>& scene) {
-  return kinds_in(scene, std::ranges::any_of(std::span(scene.cones, scene.cone_count), tapers<Stored>));
 }
 
 template <class View>
@@ -33,13 +50,6 @@ template <class Real>
 inline constexpr bool is_hierarchy<HierarchyView<Real>> = true;
 template <class Real, class Stored>
 inline constexpr bool is_hierarchy<LeafHierarchyView<Real, Stored>> = true;
-
-// Whether code for a structure and its scene's kinds alone is compiled for an arithmetic: `fast` is compared
-// with, and so are uniform grids by `double`; scenes of doubles are rare.
-template <class TestRay, class Stored, class View>
-inline constexpr bool is_specialised =
-    !std::is_same_v<TestRay, TextbookRay> && std::is_same_v<Stored, float> &&
-    !std::is_same_v<View, GridView<double>>;
 
 // A structure's records where they are traced, in host or device memory; none for brute force.
 using TracedRecords = std::optional<StructureRecords>;
@@ -74,7 +84,10 @@ auto with_method(const TracedRecords& records, const TracingRules& rules, const 
     return is_counted(records, rules) ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
   };
   const auto with_view = [&]<class View>(const View& view) {
-    if constexpr (is_specialised<TestRay, Stored, View>) {
+    // Not for each arithmetic: `fast` is compared with, and so are uniform grids by `double`; scenes of
+    // doubles are rare.
+    if constexpr (!std::is_same_v<TestRay, TextbookRay> && std::is_same_v<Stored, float> &&
+                  !std::is_same_v<View, GridView<double>>) {
       const unsigned kinds = rules.general ? with_all_kinds : rules.kinds;
       if ((kinds & ~with_triangles) == 0) return act(view, Method<TestRay, with_triangles>{}, NoCounts{});
       if ((kinds & with_cones) == 0)

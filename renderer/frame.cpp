@@ -1,7 +1,6 @@
 #include "renderer/frame.h"
 
 #include "libscene/base/error.h"
-#include "renderer/image/pixel.h"
 
 #include <fmt/format.h>
 
@@ -15,15 +14,6 @@ bool is_within(std::int32_t first, std::int32_t count, std::int32_t end) {
   return first >= 0 && count > 0 && first < end && count <= end - first;
 }
 
-void check_window(const RayWindow& window, const RayWindow& all) {
-  if (!is_within(window.first_column, window.columns, all.columns) ||
-      !is_within(window.first_row, window.rows, all.rows))
-    throw Error(ErrorCode::usage, "window",
-                fmt::format("{} x {} rays from column {}, row {} aren't within the picture's {} x {}",
-                            window.columns, window.rows, window.first_column, window.first_row, all.columns,
-                            all.rows));
-}
-
 } // namespace
 
 void check_depth(std::int32_t depth) {
@@ -35,7 +25,13 @@ void check_request(const FrameRequest& request) {
   check_depth(request.rules.depth);
   if (request.attributes && !(request.hits && request.rules.hit_name == HitName::primitive))
     throw Error(ErrorCode::usage, "attributes", "need hits that are named by primitive");
-  if (request.window.columns > 0) check_window(request.window, all_rays(request.camera, request.sampling));
+  const RayWindow &window = request.window, all = all_rays(request.camera, request.sampling);
+  if (window.columns > 0 && (!is_within(window.first_column, window.columns, all.columns) ||
+                             !is_within(window.first_row, window.rows, all.rows)))
+    throw Error(ErrorCode::usage, "window",
+                fmt::format("{} x {} rays from column {}, row {} aren't within the picture's {} x {}",
+                            window.columns, window.rows, window.first_column, window.first_row, all.columns,
+                            all.rows));
 }
 
 RayWindow window_of(const FrameRequest& request) {

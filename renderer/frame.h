@@ -44,13 +44,9 @@ struct Frame {
 // Calls act(a's array, b's array) for each kind of array.
 template <class A, class B, class Act>
 void for_each_array(A& a, B& b, const Act& act) {
-  act(a.radiance, b.radiance);
-  act(a.rgb, b.rgb);
-  act(a.hits, b.hits);
-  act(a.objects, b.objects);
-  act(a.normals, b.normals);
-  act(a.cells, b.cells);
-  act(a.tests, b.tests);
+  const auto all = [&](auto... arrays) { (act(a.*arrays, b.*arrays), ...); };
+  all(&Frame::radiance, &Frame::rgb, &Frame::hits, &Frame::objects, &Frame::normals, &Frame::cells,
+      &Frame::tests);
 }
 
 // Throws Error(usage) for one that isn't from 1 to largest_depth.

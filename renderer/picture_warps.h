@@ -8,7 +8,6 @@
 // Lanes that wait within a turn, while others test longer lists, aren't counted.
 #pragma once
 
-#include "libscene/base/host_array.h"
 #include "libscene/base/portable.h"
 
 #include <cstdint>
@@ -32,13 +31,5 @@ struct WarpTurns {
     return *this;
   }
 };
-
-struct IdleLanes {
-  HostArray<float> idle; // of each ray's warp, as above; 0 for a warp that has no turn
-  WarpTurns all;
-};
-
-// cells: of each camera ray of a picture or window, row by row.
-IdleLanes idle_lanes(const HostArray<std::uint32_t>& cells, std::int32_t columns, std::int32_t rows);
 
 } // namespace masu

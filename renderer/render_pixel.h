@@ -33,13 +33,12 @@ struct alignas(8) HitRecord {
 };
 
 template <class Real, class Stored>
-MASU_HD inline HitRecord hit_record(const SceneView<Stored>& scene, const Hit<Real>& hit, Real t_scale,
-                                    HitName name) {
+MASU_HD inline HitRecord hit_record(const SceneView<Stored>& scene, const Hit<Real>& hit, HitName name) {
   if (hit.primitive == no_primitive) return {static_cast<float>(INFINITY), -1};
   const std::uint32_t number = name == HitName::object      ? surface_of(scene, hit.primitive).object
                                : name == HitName::primitive ? hit.primitive
                                                             : face_of(scene, hit.primitive);
-  return {static_cast<float>(hit.t * t_scale), static_cast<std::int32_t>(number)};
+  return {static_cast<float>(hit.t), static_cast<std::int32_t>(number)};
 }
 
 template <class Real>
@@ -183,7 +182,7 @@ MASU_HD inline bool follow(const SceneView<Stored>& scene, const Lighting<Stored
   const bool met = hit.hit.primitive != no_primitive;
   if (ray.depth == 1) {
     counts.camera_ray(met);
-    first_hit = hit_record(scene, relative_to_origin(hit), Real(1), rules.hit_name);
+    first_hit = hit_record(scene, relative_to_origin(hit), rules.hit_name);
     if (rules.depth == 0) return false;
   } else {
     counts.secondary_ray(met);

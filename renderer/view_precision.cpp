@@ -47,15 +47,14 @@ double distance_to(const Boxd& box, const Vec3d& p) {
 
 // A sample of camera rays and what they see.
 Frame sampled(const ResidentTracer& tracer, const FrameRequest& picture, Precision precision, float offset) {
-  FrameRequest sample;
-  sample.tracing.precision = precision;
-  sample.camera = picture.camera;
-  sample.sampling = Sampling::sparse;
-  sample.hither = picture.hither;
-  sample.rules = picture.rules;
+  FrameRequest sample{.tracing = {.precision = precision},
+                      .camera = picture.camera,
+                      .sampling = Sampling::sparse,
+                      .hither = picture.hither,
+                      .rules = picture.rules,
+                      .hits = true};
   sample.rules.depth = std::min(picture.rules.depth, most_depth);
   sample.rules.offset = offset;
-  sample.hits = true;
   return tracer.render(sample);
 }
 

@@ -1,5 +1,5 @@
 // gridbench: speed and accuracy of tracing.
-#include "tools/bench/bench.h"
+#include "tools/bench/command.h"
 #include "tools/common/cli.h"
 
 int main(int argc, char** argv) {

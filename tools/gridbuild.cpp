@@ -1,6 +1,5 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds; or builds a
 // bounding volume hierarchy instead.
-#include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/statistics.h"
 #include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/stopwatch.h"
@@ -37,20 +36,18 @@ void print_report(const Settings& settings, fmt::format_string<Values...> format
 }
 
 // What was built in order to choose, with cells or nodes, and tests, per ray of each sample.
-nlohmann::ordered_json considered_json(const std::vector<Considered>& considered) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const Considered& one : considered) {
-    nlohmann::ordered_json json{{"structure", one.kind == StructureKind::hierarchy   ? "bvh"
-                                              : one.kind == StructureKind::irregular ? "irregular"
-                                                                                     : "uniform"},
-                                {"division", {one.division.x, one.division.y, one.division.z}},
-                                {"expected_time", one.expected_time}};
-    const auto add = [&](const char* set, const RayCost& ray) { json[set] = {ray.steps, ray.tests}; };
-    add("across", one.costs.across);
-    add("aimed", one.costs.aimed);
-    add("scattered", one.costs.scattered);
-    all.push_back(std::move(json));
-  }
+Json considered_json(const std::vector<Considered>& considered) {
+  Json all = Json::array();
+  const auto cost = [](const RayCost& ray) { return Json{ray.steps, ray.tests}; };
+  for (const Considered& one : considered)
+    all.push_back({{"structure", one.kind == StructureKind::hierarchy   ? "bvh"
+                                 : one.kind == StructureKind::irregular ? "irregular"
+                                                                        : "uniform"},
+                   {"division", {one.division.x, one.division.y, one.division.z}},
+                   {"expected_time", one.expected_time},
+                   {"across", cost(one.costs.across)},
+                   {"aimed", cost(one.costs.aimed)},
+                   {"scattered", cost(one.costs.scattered)}});
   return all;
 }
 
@@ -60,7 +57,7 @@ void build(const Settings& settings, const SceneFile& file) {
   std::optional<Progress> progress(std::in_place, "building", settings.quiet);
   const bool with_gpu = settings.device == Device::cuda;
   if (with_gpu) see_first_gpu_alone();
-  const auto builder = with_gpu ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
+  const auto builder = with_gpu ? cuda_builder(scene) : cpu_builder(scene, std::ref(*progress));
   const Stopwatch watch;
   auto [grid, made, considered] = build_chosen(*builder, file.geometry(), settings.options);
   progress.reset();
@@ -72,7 +69,7 @@ void build(const Settings& settings, const SceneFile& file) {
   const bool is_hierarchy = grid.kind == StructureKind::hierarchy,
              is_irregular = grid.kind == StructureKind::irregular;
   const DeviceSeconds on_device = builder->device_seconds();
-  nlohmann::ordered_json json;
+  Json json;
   std::string text; // what was built, for people
   if (is_hierarchy) {
     const HierarchyStatistics counted = hierarchy_statistics(grid.nodes);
@@ -132,8 +129,7 @@ void add_options(const CommandLine& command, Settings& settings) {
                    "write the build's seconds into the file (equal builds then differ)");
   command.add_flag("--json", settings.json, "report as JSON");
   command.group("Voxels");
-  command.add_option("--division", settings.division, "voxels per axis, by a division rule")
-      .type_name("RULE")
+  command.add_option("--division", settings.division, "voxels per axis, by a division rule", "RULE")
       .shows_default();
   command.add_choice(
       "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},

@@ -1,4 +1,5 @@
 // gridrender: reads a scene and its grid, and writes pictures of it, channels and the camera rays' hits.
+#include "libscene/file/input_file.h"
 #include "libscene/file/output_file.h"
 #include "renderer/image/image.h"
 #include "renderer/image/jpeg_file.h"
@@ -7,11 +8,9 @@
 #include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/render/channel_files.h"
-#include "tools/render/frame_options.h"
 #include "tools/render/render_views.h"
 #include "tools/render/views.h"
 
-#include <optional>
 #include <unordered_set>
 
 namespace masu {
@@ -25,7 +24,7 @@ struct Settings {
   std::string output, hits, views, crop, channels;
   int turntable = 0; // views; 0: none
   Format format = Format::automatic;
-  std::optional<int> quality; // of a JPEG
+  int quality = 90; // of a JPEG
   HitName hit_name = HitName::object;
   ChannelFormat channel_format = ChannelFormat::pfm;
   std::uint32_t channel_high = 0; // 0: of each picture's own values
@@ -42,10 +41,6 @@ ImageFormat format_of(const Settings& settings) {
 
 bool writes_jpeg(const Settings& settings) {
   return !settings.output.empty() && !settings.no_picture && format_of(settings) == ImageFormat::jpeg;
-}
-constexpr int usual_quality = 90;
-int quality_of(const Settings& settings) {
-  return settings.quality.value_or(usual_quality);
 }
 
 // Whether anything but channels is to be traced.
@@ -82,7 +77,8 @@ void check(const Settings& settings, const Ranks& ranks) {
 std::vector<View> views_of(const Settings& settings, const SceneFile& scene) {
   const Camera camera = settings.frame.camera(scene);
   // The lines of a list may give what is missing yet.
-  if (!settings.views.empty()) return read_views(settings.views, camera, camera_places(scene));
+  if (const std::string& path = settings.views; !path.empty())
+    return parse_views(read_text_input(path), path == "-" ? "stdin" : path, camera, camera_places(scene));
   settings.frame.check(camera, scene);
   return settings.turntable > 0 ? turntable(camera, settings.turntable) : std::vector<View>{{"0", camera}};
 }
@@ -133,12 +129,12 @@ PictureTexts picture_texts(const Settings& settings, const SceneFile& scene) {
   if (frame.spd_rules) options += " --spd-rules";
   if (frame.hither) options += " --hither";
   if (settings.srgb) options += " --srgb";
-  if (writes_jpeg(settings)) options += fmt::format(" --quality {}", quality_of(settings));
+  if (writes_jpeg(settings)) options += fmt::format(" --quality {}", settings.quality);
   return {{"Software", program_name()}, {"Source", "scene " + to_hex(scene.hash())}, {"Options", options}};
 }
 
 ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, const Ranks& ranks) {
-  const SceneFile& scene = opened.scene();
+  const SceneFile& scene = opened.scene;
   ViewsRequest request;
   request.frame = settings.frame.frame(settings.tracing.tracing());
   request.frame.rules.hit_name = settings.hit_name;
@@ -146,15 +142,12 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
   request.views = views_of(settings, scene);
   request.files = files_of(settings, request.views, ranks);
   request.hit_fields = hit_fields(usual_fields(settings.hit_name));
-  if (!settings.crop.empty()) {
-    const Crop crop = parse_crop("--crop", settings.crop);
+  if (!settings.crop.empty())
     for (const View& view : request.views)
-      request.frame.window = window_of(crop, view.camera, settings.frame.sampling, "--crop");
-  }
-  const PictureTexts texts = picture_texts(settings, scene);
+      request.frame.window = cropped("--crop", settings.crop, view.camera, settings.frame.sampling);
   if (!settings.output.empty() && !settings.no_picture)
-    request.image = {format_of(settings), settings.frame.sampling, settings.srgb, texts,
-                     quality_of(settings)};
+    request.image = {format_of(settings), settings.frame.sampling, settings.srgb,
+                     picture_texts(settings, scene), settings.quality};
   request.repeat = settings.tracing.repeat;
   request.resume = resume_of(settings.tracing, opened);
   return request;
@@ -162,23 +155,11 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
 
 // --- The tool's run ---------------------------------------------------------------------------------------
 
-TracingReport render_channels(const ResidentTracer& tracer, const Settings& settings,
-                              const ViewsRequest& views) {
-  return write_channels(tracer,
-                        {{parse_channels(settings.channels), views.frame, settings.all_rays},
-                         views.views,
-                         file_names(settings.output, views.views),
-                         settings.channel_format,
-                         settings.channel_high,
-                         picture_texts(settings, tracer.scene())},
-                        settings.tracing.quiet);
-}
-
 // Options that would have no effect are errors.
 void refuse_useless(const CommandLine& command, const Settings& settings) {
   const bool has_picture = !settings.output.empty() && !settings.no_picture;
-  std::vector<Channel> channels;
-  if (!settings.channels.empty()) channels = parse_channels(settings.channels);
+  const auto channels =
+      settings.channels.empty() ? std::vector<Channel>{} : parse_channels(settings.channels);
   const bool has_costs =
       std::ranges::count(channels, Channel::cells) + std::ranges::count(channels, Channel::tests) > 0;
   command.refuse(
@@ -196,13 +177,21 @@ void refuse_useless(const CommandLine& command, const Settings& settings) {
 void render(const Settings& settings, Ranks& ranks) {
   check(settings, ranks);
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
-  const OpenedScene opened("gridrender", settings.tracing, gpus_of(settings.tracing.devices, ranks));
+  const OpenedScene opened("gridrender", settings.tracing, gpus_of(settings.tracing, ranks));
   const ViewsRequest views = views_request(settings, opened, ranks);
   TracingReport report;
-  if (wants_picture(settings)) report = render_views(opened.tracer(), views, ranks, quiet);
+  if (wants_picture(settings)) report = render_views(opened.tracer, views, ranks, quiet);
   if (ranks.rank() > 0) return;
   if (!settings.channels.empty()) {
-    const TracingReport channels = render_channels(opened.tracer(), settings, views);
+    const TracingReport channels =
+        write_channels(opened.tracer,
+                       {{parse_channels(settings.channels), views.frame, settings.all_rays},
+                        views.views,
+                        file_names(settings.output, views.views),
+                        settings.channel_format,
+                        settings.channel_high,
+                        picture_texts(settings, opened.scene)},
+                       settings.tracing.quiet);
     if (channels.warps.turns > 0 && !quiet)
       print_note("gridrender: {:.1f} of {} lanes of a warp under way, on average over its turns\n",
                  channels.warps.mean_busy(), lanes_per_warp);
@@ -222,10 +211,7 @@ void add_options(const CommandLine& command, Settings& settings) {
       "--format", settings.format,
       {{"auto", Format::automatic}, {"png", Format::png}, {"jpg", Format::jpeg}, {"pfm", Format::pfm}},
       "the picture's format; auto: by the name's end, PNG on standard output");
-  command.add_option("--quality", settings.quality, "of a JPEG: 100 is best")
-      .type_name("N")
-      .range(1, 100)
-      .default_text(std::to_string(usual_quality));
+  command.add_number("--quality", settings.quality, 1, 100, "of a JPEG: 100 is best");
   command.add_flag("--srgb", settings.srgb,
                    "encode PNG and JPEG values as sRGB; without it they are stored as they are");
   command.add_file(
@@ -235,23 +221,23 @@ void add_options(const CommandLine& command, Settings& settings) {
   add_hit_name(command, settings.hit_name, "what --hits identifies");
   command.group("Camera");
   settings.frame.add_camera(command);
-  command.add_option("--crop", settings.crop, "render only these pixels of the picture").type_name("X,Y,W,H");
+  command.add_option("--crop", settings.crop, "render only these pixels of the picture", "X,Y,W,H");
   const Option views =
       command.add_file("--views", settings.views,
                        "render the views of a list, a JSON object per line: name, from, at, up, angle, size; "
                        "- is standard input");
   command.add_option("--turntable", settings.turntable, "render N views around the point looked at")
       .range(1, 1000000)
-      .excludes(views);
+      .excludes({views});
   command.group("Rays");
   settings.frame.add_sampling(command);
   settings.frame.add_secondary(command);
   command.group("Channels");
-  command
-      .add_option("--channels", settings.channels,
-                  "for each camera ray, files of values and of pictures beside that of -o: a list of depth, "
-                  "normal, object, primitive, cells, tests, idle")
-      .type_name("LIST");
+  command.add_option(
+      "--channels", settings.channels,
+      "for each camera ray, files of values and of pictures beside that of -o: a list of depth, "
+      "normal, object, primitive, cells, tests, idle",
+      "LIST");
   command.add_choice("--channel-format", settings.channel_format,
                      {{"pfm", ChannelFormat::pfm}, {"npy", ChannelFormat::npy}},
                      "format of the channels' values: .pfm, or .npy, a NumPy array");
@@ -260,7 +246,6 @@ void add_options(const CommandLine& command, Settings& settings) {
           "--channel-high", settings.channel_high,
           "upper end of the scale in pictures of cells and tests, so that they can be compared; default: "
           "of each picture's own values")
-      .type_name("N")
       .range(1, 1 << 30);
   command.add_flag("--all-rays", settings.all_rays,
                    "count cells and tests of a camera ray and all rays that it spawns, shadow rays too");

@@ -5,16 +5,18 @@
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
 #include "tools/common/json.h"
+#include "tools/common/number_list.h"
 #include "tools/common/print.h"
 #include "tools/draw/slice_picture.h"
 #include "tools/report/cell_export.h"
 #include "tools/report/slice_json.h"
-#include "tools/report/slice_place.h"
 #include "tools/report/structure_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace masu {
@@ -30,6 +32,59 @@ struct Settings {
   SpaceRule space = SpaceRule::cube;
   bool json = false, csv = false, histogram = false;
 };
+
+// Reads AXIS=K (a layer of the smallest voxels), AXIS=P% (of the space), AXIS@X (scene units), such as z=12,
+// z=50%, z@0.75. Throws Error(usage, "--slice", …).
+SlicePlane parse_slice(const std::string& text, const GridLayout& finest) {
+  constexpr const char* place = "--slice";
+  const auto fail = [&]() -> SlicePlane {
+    throw Error(ErrorCode::usage, place,
+                fmt::format("'{}' isn't AXIS=K, AXIS=P% or AXIS@X with axis x, y or z", text));
+  };
+  if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || (text[1] != '=' && text[1] != '@')) return fail();
+  const int axis = text[0] - 'x';
+  const bool is_share = text[1] == '=' && text.back() == '%';
+  const std::string_view number = std::string_view(text).substr(2, text.size() - (is_share ? 3 : 2));
+  if (text[1] == '=' && !is_share) {
+    const auto layer = read_number<std::int64_t>(number);
+    return layer ? plane_of_layer(finest, axis, *layer, place) : fail();
+  }
+  const double value = read_number<double>(number).value_or(NAN);
+  if (!std::isfinite(value)) return fail();
+  if (text[1] == '@') return plane_at(finest, axis, value, place);
+  if (!(value >= 0 && value <= 100))
+    throw Error(ErrorCode::usage, place, fmt::format("'{}' lies outside: give 0% to 100%", text));
+  return plane_at_share(finest, axis, value / 100, place);
+}
+
+// Reads LEFT,BOTTOM,RIGHT,TOP in scene units, along the picture's axes, and cuts it to the space; empty: the
+// whole layer. Throws Error(usage, "--window", …).
+SliceWindow parse_window(const std::string& text, const GridLayout& finest, int axis) {
+  const SliceWindow whole = window_of(finest, axis);
+  if (text.empty()) return whole;
+  const auto fail = [&](const std::string& why) {
+    throw Error(ErrorCode::usage, "--window", fmt::format("'{}' {}", text, why));
+  };
+  std::array<double, 4> numbers{};
+  if (!read_numbers(text, ',', numbers) ||
+      !std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
+    fail("isn't LEFT,BOTTOM,RIGHT,TOP in scene units");
+  SliceWindow window{};
+  const std::array<int, 2> axes = slice_axes(axis);
+  for (std::size_t i = 0; i < 2; ++i) {
+    window.min[i] = std::max(numbers[i], whole.min[i]);
+    window.max[i] = std::min(numbers[i + 2], whole.max[i]);
+    if (!(window.min[i] < window.max[i]))
+      fail(fmt::format("has nothing of the grid's space: along {} that is from {} to {}", "xyz"[axes[i]],
+                       whole.min[i], whole.max[i]));
+  }
+  // A plot needs coordinates that differ.
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (window.max[i] - window.min[i] < 1e-12 * std::max(std::abs(window.min[i]), std::abs(window.max[i])))
+      fail("is too small");
+  }
+  return window;
+}
 
 void draw_slice(const StructureFile& file, const Settings& settings) {
   if (settings.picture.empty())
@@ -60,17 +115,6 @@ void write_cells(const StructureFile& file, const Settings& settings) {
     options.filter.within = box;
   }
   export_cells(file, options, settings.cells);
-}
-
-void inspect(const Settings& settings) {
-  const StructureFile file(settings.grid);
-  if (!settings.slice.empty()) return draw_slice(file, settings);
-  if (!settings.cells.empty()) return write_cells(file, settings);
-  print_structure_report(file,
-                         settings.json  ? ReportFormat::json
-                         : settings.csv ? ReportFormat::csv
-                                        : ReportFormat::table,
-                         settings.histogram);
 }
 
 // Counted as in the 2012 thesis: within the objects' bounds, without a margin.
@@ -117,30 +161,22 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.footer("Example:\n  gridstat balls.grid --slice z=50% -o slice.png");
   command.group("Statistics");
   const Option json = command.add_flag("--json", settings.json, "print JSON");
-  const Option csv =
-      command
-          .add_flag("--csv", settings.csv,
-                    "print CSV: a header and one line, the same columns for every grid of cells")
-          .excludes(json);
+  const Option csv = command.add_flag(
+      "--csv", settings.csv, "print CSV: a header and one line, the same columns for every grid of cells");
   const Option histogram =
-      command
-          .add_flag("--histogram", settings.histogram,
-                    "also print the number of cells by references, and of merged cells by size")
-          .excludes(csv);
+      command.add_flag("--histogram", settings.histogram,
+                       "also print the number of cells by references, and of merged cells by size");
 
   command.group("Slices");
-  const Option slice = command
-                           .add_option("--slice", settings.slice,
-                                       "draw the cells or boxes that a plane cuts: AXIS=K, a layer of the "
-                                       "smallest voxels; AXIS=P%, of the space; AXIS@X, in scene units")
-                           .type_name("PLANE");
+  const Option slice = command.add_option("--slice", settings.slice,
+                                          "draw the cells or boxes that a plane cuts: AXIS=K, a layer of the "
+                                          "smallest voxels; AXIS=P%, of the space; AXIS@X, in scene units",
+                                          "PLANE");
   command.add_file("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json");
-  command.add_option("--window", settings.window, "of --slice: what to show, in scene units; default: all")
-      .type_name("LEFT,BOTTOM,RIGHT,TOP");
-  command
-      .add_option("--outline", settings.outline,
-                  "of --slice: the grid's scene file, whose cut through the plane is drawn")
-      .type_name("SCENE");
+  command.add_option("--window", settings.window, "of --slice: what to show, in scene units; default: all",
+                     "LEFT,BOTTOM,RIGHT,TOP");
+  command.add_option("--outline", settings.outline,
+                     "of --slice: the grid's scene file, whose cut through the plane is drawn", "SCENE");
   SliceStyle& style = settings.style;
   command.add_choice(
       "--color", style.color,
@@ -156,7 +192,6 @@ void add_options(const CommandLine& command, Settings& settings) {
       .add_option("--color-high", style.high,
                   "of --slice: the references or the depth that the darkest colour stands for, so that "
                   "slices can be compared; default: the most that is shown")
-      .type_name("N")
       .range(1, 1 << 30);
   command.add_flag("--lines", style.lines, "of --slice: draw the cells' sides");
   command.add_option("--title", style.title, "of --slice: instead of the grid's name and the plane");
@@ -164,16 +199,14 @@ void add_options(const CommandLine& command, Settings& settings) {
                      "of --slice: pixels of the longer side");
 
   command.group("Cells");
-  const Option cells = command
-                           .add_file("--cells", settings.cells,
-                                     "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
-                           .excludes(slice);
+  const Option cells = command.add_file(
+      "--cells", settings.cells, "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes");
   CellExport& cell_export = settings.cell_export;
   command.add_flag("--occupied", cell_export.filter.occupied_only, "of --cells: only those with references");
   command
       .add_option("--within", settings.within,
-                  "of --cells: only those that share space with the box between two corners, in scene units")
-      .type_name("X,Y,Z,X,Y,Z")
+                  "of --cells: only those that share space with the box between two corners, in scene units",
+                  "X,Y,Z,X,Y,Z")
       .comma_separated()
       .values(6, 6);
   command.add_flag("--expanded", cell_export.expanded,
@@ -181,31 +214,24 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_flag("--wireframe", cell_export.wireframe, "of --cells FILE.ply: edges instead of faces");
 
   command.group("Occupancy of a scene");
-  const Option occupancy =
-      command
-          .add_option(
-              "--occupancy", settings.occupancy,
-              "instead of GRID: a scene file, whose occupied voxels are counted by division and overlap test")
-          .type_name("SCENE")
-          .excludes(grid)
-          .excludes(slice)
-          .excludes(cells)
-          .excludes(csv)
-          .excludes(histogram);
-  command.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis")
-      .type_name("LIST")
+  const Option occupancy = command.add_option(
+      "--occupancy", settings.occupancy,
+      "instead of GRID: a scene file, whose occupied voxels are counted by division and overlap test",
+      "SCENE");
+  command.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis", "LIST")
       .comma_separated()
       .shows_default();
   command.add_choice("--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
                      "of --occupancy: the objects' bounds (tight), or the smallest cube centred on the "
                      "origin that holds them (cube)");
   // Options of a group need what comes first in it, which goes with none of other groups.
-  for (const Option first : {slice, cells, occupancy})
-    command.group_needs(first.heading(), first);
-  for (const Option other : {json, csv, histogram}) {
-    slice.excludes(other);
-    cells.excludes(other);
-  }
+  command.group_needs("Slices", slice);
+  command.group_needs("Cells", cells);
+  command.group_needs("Occupancy of a scene", occupancy);
+  csv.excludes({json, histogram});
+  slice.excludes({json, csv, histogram});
+  cells.excludes({slice, json, csv, histogram});
+  occupancy.excludes({grid, slice, cells, csv, histogram});
 }
 
 void run(const Settings& settings) {
@@ -227,7 +253,14 @@ void run(const Settings& settings) {
     return scene.with_view([&](const auto& view) { print_occupancy(settings, view, scene.bounds()); });
   }
   if (settings.grid.empty()) throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file");
-  inspect(settings);
+  const StructureFile file(settings.grid);
+  if (!settings.slice.empty()) return draw_slice(file, settings);
+  if (!settings.cells.empty()) return write_cells(file, settings);
+  print_structure_report(file,
+                         settings.json  ? ReportFormat::json
+                         : settings.csv ? ReportFormat::csv
+                                        : ReportFormat::table,
+                         settings.histogram);
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 #include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/lists/ray_list.h"
-#include "tools/render/frame_options.h"
 #include "tools/report/walk_text.h"
 
 #include <set>
@@ -56,16 +55,11 @@ bool lists_hits(const Settings& settings) {
 std::string written_fields(const Settings& settings) {
   if (!settings.write.empty()) return settings.write;
   const std::string of_hit = usual_fields(settings.hit_name);
-  switch (settings.query()) {
-  case Query::occlusion:
-    return "occluded";
-  case Query::count_hits:
-    return "count";
-  case Query::all_hits:
-    return (lists_hits(settings) ? "" : "count,") + of_hit + ",front";
-  default:
-    return of_hit;
-  }
+  const Query query = settings.query();
+  if (query == Query::occlusion) return "occluded";
+  if (query == Query::count_hits) return "count";
+  if (query == Query::all_hits) return (lists_hits(settings) ? "" : "count,") + of_hit + ",front";
+  return of_hit;
 }
 
 // Of fields that the query doesn't find.
@@ -144,17 +138,10 @@ RayListJob ray_list_job(const Settings& settings, const OpenedScene& opened) {
   job.request.tracing = settings.tracing.tracing();
   job.request.query = settings.query();
   if (!settings.objects.empty())
-    job.object_masks = object_masks(settings.objects, opened.scene().counts().objects);
+    job.object_masks = object_masks(settings.objects, opened.scene.counts().objects);
   job.repeat = settings.tracing.repeat;
   job.resume = resume_of(settings.tracing, opened);
   return job;
-}
-
-void note_invalid(const Settings& settings, const TaskTotals& totals) {
-  if (totals.invalid > 0)
-    print_note("gridtrace: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
-               "a direction below 1e-15\n",
-               printable(settings.list.rays), totals.invalid, totals.rays);
 }
 
 // --- Walk of one ray --------------------------------------------------------------------------------------
@@ -164,9 +151,9 @@ WalkRequest walk_request(const Settings& settings, const OpenedScene& opened) {
   WalkRequest walk{frame.tracing};
   if (!settings.pixel.empty()) {
     const auto pixel = parse_numbers<std::int32_t, 2>("--pixel", settings.pixel, "X,Y");
-    frame.camera = settings.frame.camera(opened.scene());
-    settings.frame.check(frame.camera, opened.scene());
-    walk = camera_walk(opened.tracer(), frame, pixel[0], pixel[1]);
+    frame.camera = settings.frame.camera(opened.scene);
+    settings.frame.check(frame.camera, opened.scene);
+    walk = camera_walk(opened.tracer, frame, pixel[0], pixel[1]);
   } else {
     const auto n = parse_numbers<double, 6>("--ray", settings.ray, "X,Y,Z,DX,DY,DZ");
     walk.ray = unbounded_ray<double>({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
@@ -181,7 +168,7 @@ WalkRequest walk_request(const Settings& settings, const OpenedScene& opened) {
 // On the CPU.
 void print_walk(const Settings& settings) {
   const OpenedScene opened("gridtrace", settings.tracing, {});
-  const WalkReport report = trace_walk(opened.tracer(), walk_request(settings, opened));
+  const WalkReport report = trace_walk(opened.tracer, walk_request(settings, opened));
   if (report.more_rays > 0)
     throw Error(ErrorCode::usage, "--all-rays",
                 fmt::format("finds more than {} rays: give a smaller --depth", most_walk_rays));
@@ -200,20 +187,18 @@ constexpr const char *hits_group = "Hits", *rays_group = "Rays",
 
 void add_list_options(const CommandLine& command, Settings& settings) {
   command.group(hits_group);
-  command
-      .add_option(
-          "-o,--output", settings.list.hits,
-          "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
-          "or what --write says; .npy: a NumPy array; .csv: text, with --all-hits a line for each hit; "
-          "- is standard output")
-      .type_name("HITS");
-  command
-      .add_option(
-          "--write", settings.write,
-          "fields of a record: a list of t, t64 (of 64 bits), object, primitive, face, uv, normal, front "
-          "(default t,object); with --all-hits also count (default count,t,object,front; in .csv without "
-          "count); with --count-hits count and inside; with --any-hit occluded")
-      .type_name("LIST");
+  command.add_option(
+      "-o,--output", settings.list.hits,
+      "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
+      "or what --write says; .npy: a NumPy array; .csv: text, with --all-hits a line for each hit; "
+      "- is standard output",
+      "HITS");
+  command.add_option(
+      "--write", settings.write,
+      "fields of a record: a list of t, t64 (of 64 bits), object, primitive, face, uv, normal, front "
+      "(default t,object); with --all-hits also count (default count,t,object,front; in .csv without "
+      "count); with --count-hits count and inside; with --any-hit occluded",
+      "LIST");
   add_hit_name(command, settings.hit_name, "what a record names without --write");
   const Option any =
       command.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
@@ -221,23 +206,21 @@ void add_list_options(const CommandLine& command, Settings& settings) {
       command
           .add_option("--all-hits", settings.list.request.limit,
                       "write up to K hits of each ray in their order, a closed mesh's crossings "
-                      "at edges and corners once")
-          .type_name("K")
-          .range(1U, 1U << 16) // records have as many
-          .excludes(any);
-  command
-      .add_flag("--count-hits", settings.count_hits,
-                "count them; inside: whether the ray starts in a closed mesh (0 or 1; 2 where fronts and "
-                "backs are met otherwise than of closed meshes)")
-      .excludes(any)
-      .excludes(all);
+                      "at edges and corners once",
+                      "K")
+          .range(1U, 1U << 16); // records have as many
+  const Option counts = command.add_flag(
+      "--count-hits", settings.count_hits,
+      "count them; inside: whether the ray starts in a closed mesh (0 or 1; 2 where fronts and "
+      "backs are met otherwise than of closed meshes)");
+  any.excludes({all, counts});
+  all.excludes({counts});
   command.add_choice("--faces", settings.list.request.faces,
                      {{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}},
                      "faces that are hit");
-  command
-      .add_option("--objects", settings.objects,
-                  "objects that alone are hit: a list of numbers, as hits name them, and ranges such as 7-9")
-      .type_name("LIST");
+  command.add_option(
+      "--objects", settings.objects,
+      "objects that alone are hit: a list of numbers, as hits name them, and ranges such as 7-9", "LIST");
   command.group(rays_group);
   command
       .add_option(
@@ -258,14 +241,13 @@ void add_list_options(const CommandLine& command, Settings& settings) {
 
 void add_walk_options(const CommandLine& command, Settings& settings) {
   command.group(walk_group);
-  const Option ray = command.add_option("--ray", settings.ray, "print the walk of this ray, instead of RAYS")
-                         .type_name("X,Y,Z,DX,DY,DZ");
+  const Option ray = command.add_option("--ray", settings.ray, "print the walk of this ray, instead of RAYS",
+                                        "X,Y,Z,DX,DY,DZ");
   const Option pixel =
       command
           .add_option("--pixel", settings.pixel,
-                      "print the walk of this camera ray, counted from the picture's top left")
-          .type_name("X,Y")
-          .excludes(ray);
+                      "print the walk of this camera ray, counted from the picture's top left", "X,Y")
+          .excludes({ray});
   command.add_flag("--all-rays", settings.all_rays, "and of all rays that it spawns, shadow rays too");
   settings.frame.add_secondary(command);
   command.add_json(settings.json);
@@ -291,10 +273,8 @@ void add_options(const CommandLine& command, Settings& settings) {
 void refuse_useless(const CommandLine& command, const Settings& settings) {
   const bool is_walk = settings.is_walk();
   const std::set<std::string> of_lists{hits_group, rays_group, "Reports"};
-  for (const Option option : command.options()) {
-    const std::string name = option.name(), group = option.heading();
-    const bool is_used = is_walk ? !of_lists.contains(group) && name != "--resume" : group != walk_group;
-    if (!option.is_given() || is_used) continue;
+  for (const auto& [name, group] : command.given_options()) {
+    if (is_walk ? !of_lists.contains(group) && name != "--resume" : group != walk_group) continue;
     throw Error(ErrorCode::usage, name,
                 is_walk ? "is for a list of rays: leave it out with --ray and --pixel"
                         : "is for the walk of one ray: give --ray or --pixel");
@@ -311,8 +291,8 @@ void refuse_useless(const CommandLine& command, const Settings& settings) {
        {"--hit-name", needs_no_name, "is for records without --write, of hits: leave one of them out"},
        {"--depth", is_one_ray, secondary},
        {"--spd-rules", is_one_ray, secondary},
-       {"--backend", is_walk && settings.tracing.devices.backend == Backend::cuda, on_cpu},
-       {"--devices", is_walk && settings.tracing.devices.devices != "cpu", on_cpu}});
+       {"--backend", is_walk && settings.tracing.backend == Backend::cuda, on_cpu},
+       {"--devices", is_walk && settings.tracing.devices != "cpu", on_cpu}});
 }
 
 } // namespace
@@ -338,12 +318,16 @@ int main(int argc, char** argv) {
           if (ranks.rank() == 0) print_walk(settings);
           return;
         }
-        const OpenedScene opened("gridtrace", tracing, gpus_of(tracing.devices, ranks));
+        const OpenedScene opened("gridtrace", tracing, gpus_of(tracing, ranks));
         const bool quiet = tracing.quiet || ranks.rank() > 0;
         const TracingReport report =
-            trace_ray_list(opened.tracer(), ray_list_job(settings, opened), ranks, quiet);
+            trace_ray_list(opened.tracer, ray_list_job(settings, opened), ranks, quiet);
         if (ranks.rank() > 0) return;
-        note_invalid(settings, report.totals);
+        if (const TaskTotals& totals = report.totals; totals.invalid > 0)
+          print_note(
+              "gridtrace: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
+              "a direction below 1e-15\n",
+              printable(settings.list.rays), totals.invalid, totals.rays);
         write_reports("gridtrace", tracing, opened, ranks, report, quiet);
       },
       {Ranks::prints_help, [&] { return ranks.is_first_to_fail(); }}));

@@ -3,15 +3,14 @@
 #include "tools/common/cli.h"
 #include "tools/common/number_list.h"
 #include "tools/common/progress.h"
-#include "tools/view/answers.h"
-#include "tools/view/export.h"
+#include "tools/view/http_server.h"
+#include "tools/view/viewer.h"
 
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <string_view>
-#include <thread>
 
 namespace masu {
 namespace {
@@ -34,18 +33,8 @@ struct Settings {
   Threads threads;
 };
 
-// The signals that end the server. To be called before any thread starts, for threads inherit the mask.
-sigset_t block_ending_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    sigaddset(&signals, signal);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  return signals;
-}
-
 HttpServer listening(const Settings& settings, const std::string& token, const HttpHandler& handler) {
-  const auto at = [&](int port) { return HttpServer({settings.address, port, token}, handler); };
+  const auto at = [&](int port) { return HttpServer(settings.address, port, token, handler); };
   if (settings.port >= 0) return at(settings.port);
   try {
     return at(usual_port);
@@ -61,14 +50,13 @@ HttpServer listening(const Settings& settings, const std::string& token, const H
 }
 
 void print_address(const Settings& settings, int port, const std::string& token, const std::string& device) {
-  const bool local = is_loopback_address(settings.address);
   const std::string host =
       settings.address.find(':') == std::string::npos ? settings.address : "[" + settings.address + "]";
   fmt::print("http://{}:{}/{}\n", host, port, token.empty() ? "" : "?token=" + token);
   flush_standard_output();
   if (settings.quiet) return;
   print_note("gridview: traces on {}; Ctrl+C ends it\n", device);
-  if (local)
+  if (is_loopback_address(settings.address))
     print_note("gridview: from another machine: ssh -L {0}:{1}:{0} HOST, then open the same address there\n",
                port, host);
   else
@@ -122,16 +110,10 @@ void run(Settings& settings) {
   };
   if (is_exported) {
     Progress progress("exporting", settings.quiet);
-    return export_page(open(), settings.exported, progress.callback());
+    return export_page(open(), settings.exported, std::ref(progress));
   }
-  const sigset_t signals = block_ending_signals();
-  std::thread([signals] { // at once, whatever is being traced
-    int signal = 0;
-    while (sigwait(&signals, &signal) != 0) {
-    }
-    std::_Exit(0);
-  })
-      .detach();
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) // end it at once, whatever is being traced
+    std::signal(signal, [](int) { std::_Exit(0); });
   const Viewer viewer = open();
   const std::string token = settings.token || !is_loopback_address(settings.address) ? random_token() : "";
   HttpServer server =
@@ -157,9 +139,9 @@ void add_options(const CommandLine& command, Settings& settings) {
   command
       .add_option("--demo", settings.demo,
                   "instead of SCENE: a scene that nffgen makes, and in memory a uniform grid, one merged by "
-                  "balance, an irregular one and a hierarchy")
-      .type_name("NAME")
-      .excludes(scene);
+                  "balance, an irregular one and a hierarchy",
+                  "NAME")
+      .excludes({scene});
   command.group("Server");
   const Option port =
       command
@@ -171,8 +153,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   const Option bind =
       command
           .add_option("--bind", settings.address,
-                      "address to listen on; any but loopback's needs the token that is printed")
-          .type_name("ADDRESS")
+                      "address to listen on; any but loopback's needs the token that is printed", "ADDRESS")
           .shows_default();
   const Option token =
       command.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
@@ -181,29 +162,21 @@ void add_options(const CommandLine& command, Settings& settings) {
                           .add_file("--export", settings.exported.path,
                                     "write the page to this .html instead of serving it: pictures around "
                                     "the scene, channels, slices and statistics in one file")
-                          .excludes(port)
-                          .excludes(bind)
-                          .excludes(token);
-  command.add_number("--views", settings.exported.views, 1, 360, "of --export: how many, on a circle")
-      .needs(file);
-  command.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
-      .type_name("WxH")
-      .needs(file);
+                          .excludes({port, bind, token});
+  command.add_number("--views", settings.exported.views, 1, 360, "of --export: how many, on a circle");
+  command.add_option("--size", settings.size, "of --export: pixels instead of 640x480", "WxH");
   command
       .add_option("--slices", settings.slices,
-                  "of --export: instead of those at 25, 50 and 75 % of each axis; the fewer, the more rays")
-      .type_name("AXIS,SHARE")
-      .values(1, 64)
-      .needs(file);
+                  "of --export: instead of those at 25, 50 and 75 % of each axis; the fewer, the more rays",
+                  "AXIS,SHARE")
+      .values(1, 64);
   command
       .add_option("--rays", settings.rays,
-                  "of --export: also to be walked, in the slices; the first is shown")
-      .type_name("X,Y,Z,DX,DY,DZ")
-      .values(1, 64)
-      .needs(file);
-  command
-      .add_number("--boxes", settings.exported.most_boxes, 1, 100000, "of --export: at most, of each depth")
-      .needs(file);
+                  "of --export: also to be walked, in the slices; the first is shown", "X,Y,Z,DX,DY,DZ")
+      .values(1, 64);
+  command.add_number("--boxes", settings.exported.most_boxes, 1, 100000,
+                     "of --export: at most, of each depth");
+  command.group_needs("Instead of a server", file);
   command.group("Tracing");
   add_backend(command, settings.backend);
   add_precision(command, settings.precision);

@@ -2,14 +2,20 @@
 #include "libscene/base/available_memory.h"
 #include "libscene/base/printable.h"
 #include "libscene/file/output_file.h"
+#include "libscene/file/temporary_name.h"
 #include "libscene/mesh/import/import.h"
-#include "tools/common/child_process.h"
 #include "tools/common/progress.h"
 #include "tools/report/scene_report.h"
 
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstring>
@@ -28,6 +34,87 @@ struct Settings {
   bool quiet = false;
   Threads threads;
 };
+
+// --- A child process for what may fault, loop or take all memory, as libraries do with damaged files -----
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+// How the child ended, as waitpid() has it. `awaited`: signals that are blocked, so that sigwaitinfo() gets
+// them.
+int status_of(pid_t child, const sigset_t& awaited) {
+  for (;;) {
+    const int signal = sigwaitinfo(&awaited, nullptr);
+    int status = 0;
+    if (signal == SIGCHLD && waitpid(child, &status, WNOHANG) == child) return status;
+    if (signal > 0 && signal != SIGCHLD) kill(child, signal);
+  }
+}
+
+// Lines for standard error, held back in memory; -1 where a person reads along, there is no memory, or a
+// limit of files, which it counts as, leaves no room for them.
+int open_lines() {
+  constexpr rlim_t enough = 1 << 20;
+  rlimit limit{};
+  const bool has_room = getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur >= enough;
+  return isatty(STDERR_FILENO) != 0 || !has_room ? -1 : memfd_create("lines", MFD_CLOEXEC);
+}
+void print_lines(int lines) {
+  std::array<char, 4096> part{};
+  const off_t size = lseek(lines, 0, SEEK_END);
+  for (off_t at = 0; at < size;) {
+    const ssize_t got =
+        pread(lines, part.data(), std::min(part.size(), static_cast<std::size_t>(size - at)), at);
+    if (got <= 0 || write(STDERR_FILENO, part.data(), static_cast<std::size_t>(got)) != got) return;
+    at += got;
+  }
+}
+
+// Goes on in a child process, and returns 0 there. The parent waits for the child, and passes on to it the
+// signals that end programs. Where a fault or a limit ended the child, the parent gets that signal; otherwise
+// it ends as the child did. A parent that is killed takes the child with it.
+//
+// What the child prints on standard error, if that isn't a terminal, is printed when it has ended, and not at
+// all where a fault or a limit ended it: libraries say more than a line about their faults.
+//
+// To be called before there are threads, and with nothing left in the buffers of standard output. Throws
+// Error(input, process, …) where there can't be another process.
+int continue_in_child() {
+  const int lines = open_lines();
+  sigset_t awaited, before;
+  sigemptyset(&awaited);
+  sigaddset(&awaited, SIGCHLD);
+  for (const int signal : ending_signals)
+    if (!is_ignored(signal)) sigaddset(&awaited, signal);
+  std::signal(SIGCHLD, SIG_DFL); // ignored, it would leave no status
+  pthread_sigmask(SIG_BLOCK, &awaited, &before);
+  const pid_t parent = getpid(), child = fork();
+  if (child <= 0) {
+    const int reason = errno;
+    if (child == 0) {
+      if (lines >= 0) dup2(lines, STDERR_FILENO);
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+      if (getppid() != parent) std::raise(SIGTERM); // killed before that
+    }
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    if (child == 0) return 0;
+    throw Error(ErrorCode::input, "process",
+                std::string("can't be started: ") + std::strerror(reason) + ": end others, or free memory");
+  }
+  const int status = status_of(child, awaited);
+  if (WIFEXITED(status)) {
+    print_lines(lines);
+    _exit(WEXITSTATUS(status));
+  }
+  const int signal = WTERMSIG(status);
+  const bool was_passed_on = std::ranges::count(ending_signals, signal) > 0;
+  if (was_passed_on) std::signal(signal, SIG_DFL);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (was_passed_on) std::raise(signal);
+  return signal;
+}
 
 // --- Limits of Assimp ------------------------------------------------------------------------------------
 
@@ -99,14 +186,6 @@ Error ended_by(int signal, const Settings& settings) {
 
 // --- The tool --------------------------------------------------------------------------------------------
 
-// One per line: line N + 1 for object N.
-void write_names(const std::vector<std::string>& names, const std::string& path) {
-  std::string text;
-  for (const std::string& name : names)
-    text += printable(name) + '\n';
-  write_text_file(path, text);
-}
-
 void run(Settings& settings) {
   if (!settings.size.empty()) {
     const Camera camera = resized({}, settings.size);
@@ -122,7 +201,7 @@ void run(Settings& settings) {
   const ImportedScene imported = [&] {
     Progress progress("reading", settings.quiet);
     ImportOptions options = settings.import;
-    options.progress = progress.callback();
+    options.progress = std::ref(progress);
     options.opened = [&](const std::string& file) { limits.opened(file); };
     options.parsed = [&] { limits.lift(); };
     return read_mesh(settings.input, options);
@@ -130,7 +209,11 @@ void run(Settings& settings) {
   check_files(limits.files(), {settings.output.path, settings.objects});
   print_warnings("mesh2bin", settings.input, imported.notes);
   write_and_report("mesh2bin", settings.input, imported.scene, settings.output);
-  if (!settings.objects.empty()) write_names(imported.object_names, settings.objects);
+  if (settings.objects.empty()) return;
+  std::string names; // line N + 1 for object N
+  for (const std::string& name : imported.object_names)
+    names += printable(name) + '\n';
+  write_text_file(settings.objects, names);
 }
 
 // Initializers of Assimp's libraries allocate memory before main() is called.
@@ -146,7 +229,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   command.add_flag("--smooth", settings.import.smooth,
                    "interpolate normals: the file's, or where it has none, normals averaged over the faces "
                    "round each vertex");
-  command.add_option("--size", settings.size, "width and height of the picture in pixels").type_name("WxH");
+  command.add_option("--size", settings.size, "width and height of the picture in pixels", "WxH");
   command.add_file(
       "--objects", settings.objects,
       "write the objects' names, one a line in the order of their numbers; - is standard output");

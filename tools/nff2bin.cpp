@@ -28,9 +28,7 @@ std::string check_facets(const std::string& text) {
 void convert(const Settings& settings) {
   Scene scene = [&] {
     Progress progress("reading", settings.quiet);
-    NffOptions options;
-    options.progress = progress.callback();
-    return read_nff(settings.input, options);
+    return read_nff(settings.input, {.progress = std::ref(progress)});
   }();
   if (settings.facets > 0) scene = tessellated(std::move(scene), settings.facets);
   write_and_report("nff2bin", settings.input == "-" ? "stdin" : settings.input, scene, settings.output);

@@ -35,7 +35,7 @@ void run(const Settings& settings) {
   check_spd_size(info.scene, size); // before a file is opened
   Progress progress("writing", settings.quiet);
   OutputFile file(settings.output);
-  write_spd({info.scene, size, !settings.no_background}, file.stream(), file.path(), progress.callback());
+  write_spd({info.scene, size, !settings.no_background}, file.stream(), file.path(), std::ref(progress));
   file.commit();
 }
 

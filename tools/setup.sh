@@ -1,38 +1,23 @@
 # Sourced by demo.sh, test.sh and check.sh: installs missing packages, finds CUDA, builds.
 
-# Whether the command or header that a Debian package provides exists, from whatever source.
+# What a Debian package provides, by which it is found from whatever source: a command or a header.
+declare -A commands=([clang]=clang++ [flatbuffers-compiler]=flatc [gnuplot-nox]=gnuplot [libopenmpi-dev]=mpicc
+  [ninja-build]=ninja [openmpi-bin]=mpirun [python3-build]=pyproject-build)
+declare -A headers=([libassimp-dev]=assimp/scene.h [libbenchmark-dev]=benchmark/benchmark.h [libcairo2-dev]=cairo/cairo.h
+  [libcli11-dev]=CLI/CLI.hpp [libcpp-httplib-dev]=httplib.h [libflatbuffers-dev]=flatbuffers/flatbuffers.h
+  [libfmt-dev]=fmt/format.h [libgmp-dev]=gmpxx.h [libgtest-dev]=gtest/gtest.h [libisal-dev]=isa-l/igzip_lib.h
+  [libpng-dev]=png.h [libtbb-dev]=tbb/tbb.h [libturbojpeg0-dev]=turbojpeg.h [libxxhash-dev]=xxhash.h
+  [nlohmann-json3-dev]=nlohmann/json.hpp [zlib1g-dev]=zlib.h)
 has() { # package
   header() { if command -v c++ >/dev/null; then echo "#include <$1>" | c++ -E -x c++ - >/dev/null 2>&1; else false; fi; }
+  if [ -n "${commands[$1]:-}" ]; then command -v "${commands[$1]}" >/dev/null; return; fi
+  if [ -n "${headers[$1]:-}" ]; then header "${headers[$1]}"; return; fi
   case $1 in
     build-essential) command -v c++ >/dev/null && command -v make >/dev/null ;;
-    clang) command -v clang++ >/dev/null ;;
-    clang-format | clang-tidy | cmake | file | help2man | patchelf) command -v "$1" >/dev/null ;;
-    flatbuffers-compiler) command -v flatc >/dev/null ;;
-    gnuplot-nox) command -v gnuplot >/dev/null ;;
-    openmpi-bin) command -v mpirun >/dev/null ;;
-    ninja-build) command -v ninja >/dev/null ;;
-    libassimp-dev) header assimp/scene.h ;;
-    libbenchmark-dev) header benchmark/benchmark.h ;;
-    libcairo2-dev) header cairo/cairo.h ;;
+    clang-format | clang-tidy | cmake | file | help2man | patchelf | pkg-config) command -v "$1" >/dev/null ;;
     libembree-dev) header embree4/rtcore.h || header embree3/rtcore.h ;;
-    libgmp-dev) header gmpxx.h ;;
-    libcpp-httplib-dev) header httplib.h ;;
-    libturbojpeg0-dev) header turbojpeg.h ;;
-    libcli11-dev) header CLI/CLI.hpp ;;
-    libflatbuffers-dev) header flatbuffers/flatbuffers.h ;;
-    libfmt-dev) header fmt/format.h ;;
-    libgtest-dev) header gtest/gtest.h ;;
-    libisal-dev) header isa-l/igzip_lib.h ;;
-    libopenmpi-dev) command -v mpicc >/dev/null ;;
-    libpng-dev) header png.h ;;
-    libtbb-dev) header tbb/tbb.h ;;
-    libxxhash-dev) header xxhash.h ;;
-    nlohmann-json3-dev) header nlohmann/json.hpp ;;
-    pkg-config) command -v pkg-config >/dev/null ;;
-    python3-build) command -v pyproject-build >/dev/null ;;
     python3-numpy) python3 -c 'import numpy' 2>/dev/null || /usr/bin/python3 -c 'import numpy' 2>/dev/null ;;
     python3-venv) python3 -c 'import ensurepip' 2>/dev/null ;;
-    zlib1g-dev) header zlib.h ;;
     *) dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' ;;
   esac
 }

@@ -18,8 +18,7 @@ template <class Checker, class List>
 bool lists_are_separate(const Checker& checker, const StructureRecords& grid, std::uint64_t cells,
                         const List& list) {
   auto listed = checker.zeros(set_words(grid.reference_count));
-  std::uint32_t* const begun = listed.data();
-  return checker.all(cells, [=] MASU_PASS(std::uint64_t i) {
+  return checker.all(cells, [=, begun = listed.data()] MASU_PASS(std::uint64_t i) {
     const std::uint32_t begin = list(i);
     return begin == empty_list ||
            (begin < grid.reference_count && (begin == 0 || (grid.references[begin - 1] & last_bit) != 0) &&
@@ -39,8 +38,7 @@ const char* fault_of_uniform(const Checker& checker, const StructureRecords& gri
       }))
     return "its voxel map names a list that isn't there";
   auto map_set = checker.zeros(set_words(block_maps));
-  std::uint32_t* const used = map_set.data();
-  if (!checker.all(first, [=] MASU_PASS(std::uint64_t i) {
+  if (!checker.all(first, [=, used = map_set.data()] MASU_PASS(std::uint64_t i) {
         const std::uint32_t word = read_once(grid.voxel_map[i]), map = word & ~occupied_bit;
         return (word & occupied_bit) == 0 || (map < block_maps && inserted(used, map));
       }))

@@ -4,8 +4,8 @@
 #include "libscene/base/error.h"
 #include "libscene/local_origin.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace masu {
@@ -37,13 +37,9 @@ std::vector<std::uint8_t> grid_table(const Structure& grid, const StructureProve
 
 // A space that can be divided: finite, and with sides whose inverses are.
 bool is_divisible(const Boxd& space) {
-  const Vec3d &low = space.min, &high = space.max;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(std::isfinite(low[axis]) && std::isfinite(high[axis]) && high[axis] - low[axis] >= 1e-300 &&
-          high[axis] - low[axis] <= 1e300))
-      return false;
-  }
-  return true;
+  const Vec3d side = space.max - space.min;
+  return is_finite(space.min) && is_finite(space.max) && std::min({side.x, side.y, side.z}) >= 1e-300 &&
+         std::max({side.x, side.y, side.z}) <= 1e300;
 }
 
 std::array<SectionData, 4> sections_of(const Structure& grid) {

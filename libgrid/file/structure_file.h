@@ -29,17 +29,13 @@ struct StructureProvenance {
 // Writes the grid to `path`, whole or not at all. Throws Error(output).
 void write_structure(const Structure& grid, const StructureProvenance& provenance, const std::string& path);
 
-class StructureFile;
-
-// The same in memory: a grid file that was never written.
-StructureFile structure_in_memory(const Structure& grid, const StructureProvenance& provenance);
-
 // A grid file, checked: every index in it can be followed. Of one whose records stay in the file, only the
 // table is; who copies them checks them (structure_checks.h).
 class StructureFile : public TableFile<fb::Structure, fb::StructureSection> {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
   explicit StructureFile(const std::string& path, Residence residence = Residence::memory);
+  explicit StructureFile(ContainerFile container);
 
   // Of the scene that it was built from: the point in the world that all places are relative to.
   Vec3d origin() const;
@@ -65,27 +61,14 @@ public:
   // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
   void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
 
-  // Point into its memory (structure_records.h).
-  template <class Real>
-  GridView<Real> view() const {
-    return view_of<Real>(records());
-  }
-  template <class Real>
-  MergedGridView<Real> merged_view() const {
-    return merged_view_of<Real>(records());
-  }
-  template <class Real>
-  HierarchyView<Real> hierarchy_view() const {
-    return hierarchy_view_of<Real>(records());
-  }
-
 private:
-  friend StructureFile structure_in_memory(const Structure&, const StructureProvenance&);
-  explicit StructureFile(ContainerFile container);
   StructureRecords records_of_sections() const;
   void check_sizes() const;
 
   StructureRecords records_{}; // found once: a query of one ray needs them, too
 };
+
+// What write_structure() would write, in memory.
+StructureFile structure_in_memory(const Structure& grid, const StructureProvenance& provenance);
 
 } // namespace masu

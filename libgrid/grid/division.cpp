@@ -2,7 +2,6 @@
 
 #include "libgrid/structure/unit_costs.h"
 #include "libscene/base/error.h"
-#include "libscene/geometry/margin.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -133,9 +132,7 @@ Result over_primitives(const SceneView<Stored>& scene, const Result& none, const
 
 // How many primitives are centred where along each axis of a box.
 constexpr std::size_t bins = 256;
-struct CentreHistogram {
-  std::array<std::array<std::uint32_t, bins>, 3> counts{};
-};
+using CentreHistogram = std::array<std::array<std::uint32_t, bins>, 3>;
 
 // The box between the 5th and the 95th percentile of the centres along each axis, on the histogram's bins.
 template <class Stored>
@@ -148,22 +145,21 @@ Boxd dense_bounds(const SceneView<Stored>& scene) {
         const Vec3d center = center_of(around);
         for (int axis = 0; axis < 3; ++axis) {
           const double bin = (center[axis] - box.min[axis]) / extent[axis] * bins;
-          ++h.counts[static_cast<std::size_t>(axis)]
-                    [bin > 0 ? static_cast<std::size_t>(std::min(bin, bins - 1.0)) : 0];
+          ++h[static_cast<std::size_t>(axis)]
+             [bin > 0 ? static_cast<std::size_t>(std::min(bin, bins - 1.0)) : 0];
         }
       },
       [](CentreHistogram a, const CentreHistogram& b) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           for (std::size_t i = 0; i < bins; ++i)
-            a.counts[axis][i] += b.counts[axis][i];
+            a[axis][i] += b[axis][i];
         }
         return a;
       });
-  const std::uint64_t out =
-      std::accumulate(histogram.counts[0].begin(), histogram.counts[0].end(), std::uint64_t{0}) / 20;
+  const std::uint64_t out = std::accumulate(histogram[0].begin(), histogram[0].end(), std::uint64_t{0}) / 20;
   Boxd dense_box = box;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto& counts = histogram.counts[static_cast<std::size_t>(axis)];
+    const auto& counts = histogram[static_cast<std::size_t>(axis)];
     std::size_t first = 0, last = bins;
     for (std::uint64_t seen = counts[0]; first + 1 < bins && seen <= out; seen += counts[first])
       ++first;
@@ -214,35 +210,13 @@ double expected_references(const SurfaceSums& sums, const GridLayout& layout) {
   return std::min(references, primitives * static_cast<double>(voxel_count(layout.division)));
 }
 
-namespace {
 constexpr double always_references = 0x1p16;
-}
-
 double most_references(std::uint64_t primitives) {
   return always_references + 128 * static_cast<double>(primitives);
 }
 double most_nested_references(std::uint64_t primitives) {
   return always_references + 16 * static_cast<double>(primitives);
 }
-
-template <class Real>
-Boxd space_of(const Boxd& bounds, SpaceRule rule) {
-  Boxd space = padded_bounds<Real>(bounds);
-  if (rule == SpaceRule::cube) {
-    const double half = largest_magnitude(space);
-    space = {{-half, -half, -half}, {half, half, half}};
-  }
-  return cast<double>(cast<Real>(space));
-}
-template Boxd space_of<float>(const Boxd&, SpaceRule);
-template Boxd space_of<double>(const Boxd&, SpaceRule);
-
-template <class Real>
-GridLayout layout_in(const Boxd& bounds, const Vec3i& division, SpaceRule rule) {
-  return {space_of<Real>(bounds, rule), division, is_empty(bounds) ? 0 : rounding_margin<Real>(bounds)};
-}
-template GridLayout layout_in<float>(const Boxd&, const Vec3i&, SpaceRule);
-template GridLayout layout_in<double>(const Boxd&, const Vec3i&, SpaceRule);
 
 namespace {
 
@@ -261,21 +235,16 @@ Vec3i division_of(const Vec3d& extent, const Vec3d& per_unit) {
   return division;
 }
 
-// What a random line through the dense box costs, in steps from voxel to voxel. A line through a box crosses
-// a plane of the division with the probability of the plane's two faces over the box's surface, and meets a
-// voxel likewise (Crofton).
+// What a random line through the dense box costs, in steps from voxel to voxel. It meets a voxel with the
+// probability of the voxel's surface over the box's (Crofton).
 double expected_cost(const DivisionStatistics& statistics, const GridLayout& layout) {
-  const auto surface = [](const Vec3d& w) { return 2 * (w.x * w.y + w.y * w.z + w.z * w.x); };
-  const Vec3d w = layout.space.max - layout.space.min;
-  const Vec3i n = layout.division;
-  const double steps =
-      1 + 2 * ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / surface(w);
+  const double steps = expected_voxels(layout.division, layout.space.max - layout.space.min);
   // The dense box is at least a voxel thick.
   Vec3d dense_box = statistics.dense_box.max - statistics.dense_box.min;
   const Vec3d h = voxel_size(layout);
   for (int axis = 0; axis < 3; ++axis)
     dense_box.set(axis, std::max(dense_box[axis], h[axis]));
-  const double tests = expected_references(statistics.dense, layout) * surface(h) / surface(dense_box);
+  const double tests = expected_references(statistics.dense, layout) * half_area(h) / half_area(dense_box);
   return division_costs.step * steps + division_costs.test * tests;
 }
 
@@ -382,17 +351,5 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
   }
   return {1, 1, 1};
 }
-
-template <class Real>
-GridLayout make_grid_layout(const Boxd& bounds, SpaceRule space_rule, const DivisionRule& rule,
-                            const DivisionStatistics& statistics) {
-  GridLayout layout = layout_in<Real>(bounds, {1, 1, 1}, space_rule);
-  layout.division = choose_division(rule, statistics, layout.space, layout.margin);
-  return layout;
-}
-template GridLayout make_grid_layout<float>(const Boxd&, SpaceRule, const DivisionRule&,
-                                            const DivisionStatistics&);
-template GridLayout make_grid_layout<double>(const Boxd&, SpaceRule, const DivisionRule&,
-                                             const DivisionStatistics&);
 
 } // namespace masu

@@ -3,6 +3,7 @@
 
 #include "libgrid/grid/grid_layout.h"
 #include "libgrid/grid/overlap/overlap.h"
+#include "libscene/geometry/margin.h"
 #include "libscene/scene_view.h"
 
 #include <string>
@@ -63,6 +64,16 @@ DivisionStatistics division_statistics(const SceneView<Stored>& scene);
 // voxel is larger by it on either side.
 double expected_references(const SurfaceSums& sums, const GridLayout& layout);
 
+// Half the surface of a box of these sides; a ratio of two is that of their surfaces.
+inline double half_area(const Vec3d& w) {
+  return w.x * w.y + w.y * w.z + w.z * w.x;
+}
+// The voxels of a space of these sides that a random line meets: each plane of the division is crossed with
+// the probability of its two faces over the space's surface (Crofton).
+inline double expected_voxels(const Vec3i& n, const Vec3d& w) {
+  return 1 + ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / half_area(w);
+}
+
 // How many references a division that nobody gave may make: more than scenes need, whose references take
 // about eight times a hierarchy's memory and time. Without a limit, large primitives that lie on each other
 // would be divided for the last percents of the expected cost. It depends on the scene alone: so the grid is
@@ -73,11 +84,20 @@ double most_nested_references(std::uint64_t primitives);
 // The box that is divided, its padding included, in numbers that Real holds: the tight one around `bounds`
 // (that of all primitives), or the smallest cube about the local origin that holds it.
 template <class Real>
-Boxd space_of(const Boxd& bounds, SpaceRule rule);
+Boxd space_of(const Boxd& bounds, SpaceRule rule) {
+  Boxd space = padded_bounds<Real>(bounds);
+  if (rule == SpaceRule::cube) {
+    const double half = largest_magnitude(space);
+    space = {{-half, -half, -half}, {half, half, half}};
+  }
+  return cast<double>(cast<Real>(space));
+}
 
 // That space divided into so many voxels, with the margin of libscene/geometry/margin.h.
 template <class Real>
-GridLayout layout_in(const Boxd& bounds, const Vec3i& division, SpaceRule rule = SpaceRule::tight);
+GridLayout layout_in(const Boxd& bounds, const Vec3i& division, SpaceRule rule = SpaceRule::tight) {
+  return {space_of<Real>(bounds, rule), division, is_empty(bounds) ? 0 : rounding_margin<Real>(bounds)};
+}
 
 // At least 1 along each axis. Throws Error(usage, "division", …) when an axis would pass largest_division by
 // a rule that was given.
@@ -86,7 +106,11 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
 
 // The layout that a grid for arithmetic of type Real is built on.
 template <class Real>
-GridLayout make_grid_layout(const Boxd& bounds, SpaceRule space, const DivisionRule& rule,
-                            const DivisionStatistics& statistics);
+GridLayout make_grid_layout(const Boxd& bounds, SpaceRule space_rule, const DivisionRule& rule,
+                            const DivisionStatistics& statistics) {
+  GridLayout layout = layout_in<Real>(bounds, {1, 1, 1}, space_rule);
+  layout.division = choose_division(rule, statistics, layout.space, layout.margin);
+  return layout;
+}
 
 } // namespace masu

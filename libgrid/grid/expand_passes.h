@@ -55,16 +55,6 @@ struct alignas(32) Neighbour {
 };
 static_assert(sizeof(Neighbour) == 32);
 
-MASU_HD inline Neighbour as_neighbour(const MergedCell& cell, const PrimitiveIndex* references) {
-  return {{cell.x, cell.y, cell.z}, {cell.x, cell.y, cell.z}, signature_of(references, cell.list), cell.list};
-}
-
-MASU_HD inline void set_expanded(Neighbour& neighbour, const MergedCell& cell) {
-  neighbour.expanded[0] = cell.x;
-  neighbour.expanded[1] = cell.y;
-  neighbour.expanded[2] = cell.z;
-}
-
 // A grid whose cells are being expanded: `cells` as this round leaves them, `neighbours` after the round
 // before. What is in a face's way stays there, since faces only grow: a bit of `blocked` for each of six.
 struct Expansion {
@@ -245,12 +235,6 @@ private:
   Lane reach_{}, seen_{};
 };
 
-template <unsigned axis, unsigned lanes>
-MASU_HD void expand_along(const Expansion& expansion, std::uint64_t begin, std::uint64_t end) {
-  FaceLanes<axis, 0, lanes>(expansion, begin, end).expand();
-  FaceLanes<axis, 1, lanes>(expansion, begin, end).expand();
-}
-
 // `grid` is a view of what `cells` are the cells of, in the executor's memory.
 template <class Executor>
 void expand_cells(Executor& executor, const MergedGridView<double>& grid, std::uint64_t count,
@@ -259,16 +243,29 @@ void expand_cells(Executor& executor, const MergedGridView<double>& grid, std::u
   auto neighbours = executor.template array<Neighbour>(count);
   auto blocked = executor.template zeros<std::uint8_t>(count);
   const Expansion s{grid, cells, neighbours.data(), blocked.data()};
-  executor.for_each(
-      count, [=] MASU_PASS(std::uint64_t i) { s.neighbours[i] = as_neighbour(cells[i], grid.references); });
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    const MergedCell& cell = cells[i];
+    const std::uint32_t signature = signature_of(grid.references, cell.list);
+    s.neighbours[i] = {{cell.x, cell.y, cell.z}, {cell.x, cell.y, cell.z}, signature, cell.list};
+  });
+  // So many cells are under way at once on the host, so as to wait for the loads of all together.
+  constexpr unsigned lanes = Executor::has_warps ? 1 : 32;
   for (int round = 0; round < rounds; ++round) {
     executor.for_each_part(count, [=] MASU_PASS(std::uint64_t begin, std::uint64_t end) {
-      expand_along<0, Executor::lanes>(s, begin, end);
-      expand_along<1, Executor::lanes>(s, begin, end);
-      expand_along<2, Executor::lanes>(s, begin, end);
+      FaceLanes<0, 0, lanes>(s, begin, end).expand();
+      FaceLanes<0, 1, lanes>(s, begin, end).expand();
+      FaceLanes<1, 0, lanes>(s, begin, end).expand();
+      FaceLanes<1, 1, lanes>(s, begin, end).expand();
+      FaceLanes<2, 0, lanes>(s, begin, end).expand();
+      FaceLanes<2, 1, lanes>(s, begin, end).expand();
     });
     if (round + 1 == rounds) break;
-    executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { set_expanded(s.neighbours[i], cells[i]); });
+    executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+      std::uint32_t(&expanded)[3] = s.neighbours[i].expanded;
+      expanded[0] = cells[i].x;
+      expanded[1] = cells[i].y;
+      expanded[2] = cells[i].z;
+    });
   }
 }
 

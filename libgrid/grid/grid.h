@@ -79,6 +79,11 @@ struct MergedGridView {
   std::int32_t nested_log2;
 };
 
+MASU_HD inline std::uint64_t voxel_count(const Vec3i& division) {
+  return static_cast<std::uint64_t>(division.x) * static_cast<std::uint32_t>(division.y) *
+         static_cast<std::uint32_t>(division.z);
+}
+
 MASU_HD inline std::uint64_t linear_index(const Vec3i& at, const Vec3i& size) {
   return (static_cast<std::uint64_t>(at.z) * static_cast<std::uint32_t>(size.y) +
           static_cast<std::uint32_t>(at.y)) *
@@ -109,10 +114,8 @@ MASU_HD inline MapEntry look_up(const GridView<Real>& grid, const Vec3i& voxel) 
   const int b = grid.block_log2;
   const std::uint32_t block = grid.voxel_map[linear_index(shifted(voxel, b), grid.blocks)];
   if ((block & occupied_bit) == 0) return {block, b};
-  const std::uint64_t block_words = static_cast<std::uint64_t>(grid.blocks.x) *
-                                    static_cast<std::uint32_t>(grid.blocks.y) *
-                                    static_cast<std::uint32_t>(grid.blocks.z);
-  const std::uint64_t map = block_words + (static_cast<std::uint64_t>(block & ~occupied_bit) << (3 * b));
+  const std::uint64_t map =
+      voxel_count(grid.blocks) + (static_cast<std::uint64_t>(block & ~occupied_bit) << (3 * b));
   return {grid.voxel_map[map + index_in_block(voxel, b)], 0};
 }
 

@@ -42,11 +42,6 @@ MASU_HD inline GridLayout finer(const GridLayout& layout, std::int32_t bits) {
   return {layout.space, {n.x << bits, n.y << bits, n.z << bits}, layout.margin};
 }
 
-MASU_HD inline std::uint64_t voxel_count(const Vec3i& division) {
-  return static_cast<std::uint64_t>(division.x) * static_cast<std::uint64_t>(division.y) *
-         static_cast<std::uint64_t>(division.z);
-}
-
 // A division in blocks of 2^block_log2 voxels per side, rounded up.
 inline Vec3i blocks_of(const Vec3i& division, std::int32_t block_log2) {
   const std::int32_t round = (1 << block_log2) - 1;
@@ -71,8 +66,29 @@ MASU_HD inline VoxelRange voxels_met(const GridLayout& layout, const Vec3d& size
   }
   return range;
 }
-MASU_HD inline VoxelRange voxels_met(const GridLayout& layout, const Boxd& box) {
-  return voxels_met(layout, voxel_size(layout), box);
+
+// How large the blocks of a uniform grid's map are: single voxels while a word each costs little (32 MiB).
+inline std::int32_t block_log2_for(const Vec3i& division) {
+  constexpr std::uint64_t dense_voxels = std::uint64_t{1} << 23;
+  constexpr std::int32_t sparse_block_log2 = 3;
+  return voxel_count(division) <= dense_voxels ? 0 : sparse_block_log2;
 }
+
+// The order in which a uniform grid's map stores its voxels: block by block, x fastest, and so within each
+// block.
+struct StorageOrder {
+  Vec3i division, blocks;
+  std::int32_t block_log2;
+
+  StorageOrder(const Vec3i& voxels, std::int32_t side_log2)
+      : division(voxels), blocks(blocks_of(voxels, side_log2)), block_log2(side_log2) {}
+
+  std::uint64_t size() const { return voxel_count(blocks) << (3 * block_log2); }
+  MASU_HD std::uint64_t index(const Vec3i& voxel) const {
+    if (block_log2 == 0) return linear_index(voxel, division);
+    return (linear_index(shifted(voxel, block_log2), blocks) << (3 * block_log2)) +
+           index_in_block(voxel, block_log2);
+  }
+};
 
 } // namespace masu

@@ -9,27 +9,6 @@
 
 namespace masu {
 
-const char* exceeded_by_division(const Vec3i& division) {
-  const bool fits = std::max({division.x, division.y, division.z}) <= max_plane &&
-                    voxel_count(division) <= max_merged_voxels;
-  return fits ? nullptr : "more than 2^28 voxels to merge";
-}
-
-const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
-                              std::uint64_t words, std::uint64_t max_words) {
-  if (std::max(cells, references) > max_numbered) return too_many_cells;
-  if (words > max_words && words > top_words) return too_many_words;
-  return nullptr;
-}
-
-std::int32_t nested_log2_for(const Vec3i& division, const StructureOptions& options) {
-  const std::int32_t longest = std::max({division.x, division.y, division.z});
-  std::int32_t nested_log2 = 0;
-  while (nested_log2 < options.nested_log2 && (longest << (nested_log2 + 1)) <= max_plane)
-    ++nested_log2;
-  return nested_log2;
-}
-
 namespace {
 
 constexpr double parts_share = 0.6; // of an irregular grid's time; the rest is expansion

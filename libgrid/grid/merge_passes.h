@@ -74,22 +74,15 @@ MASU_HD inline VoxelBox nested_box(const Vec3i& voxel, std::int32_t log2) {
   return nested_box(voxel, voxel + Vec3i{1, 1, 1}, log2);
 }
 
-struct BoxedPrimitive {
-  VoxelBox box;
-  PrimitiveIndex primitive;
-};
-
-// The fragments of boxed_primitive(i) for i = 0 … count - 1. kept_before[i] is how many those before i have.
-template <class Executor, class Stored, class Boxed>
-ArrayOf<Executor, Fragment> fragments_of(Executor& executor, const Splitter<Stored>& splitter,
-                                         std::uint64_t count, const Boxed& boxed_primitive,
+// The fragments that fragment_of(i, fragment) makes for i = 0 … count - 1, where it is true. kept_before[i]
+// is how many those before i have.
+template <class Executor, class FragmentOf>
+ArrayOf<Executor, Fragment> fragments_of(Executor& executor, std::uint64_t count,
+                                         const FragmentOf& fragment_of,
                                          ArrayOf<Executor, std::uint32_t>& kept) {
   auto all = executor.template array<Fragment>(count);
   Fragment* const fragment = all.data();
-  kept = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
-    const BoxedPrimitive boxed = boxed_primitive(i);
-    return splitter.fragment_in(boxed.box, boxed.primitive, fragment[i]);
-  });
+  kept = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) { return fragment_of(i, fragment[i]); });
   const std::uint32_t* const kept_before = kept.data();
   auto fragments = executor.template array<Fragment>(executor.value(kept, count));
   Fragment* const kept_fragment = fragments.data();
@@ -113,9 +106,9 @@ std::vector<SplitLevel<Executor>> split_voxels(Executor& executor, const Splitte
   };
   ArrayOf<Executor, std::uint32_t> kept{};
   auto fragments = fragments_of(
-      executor, splitter, span.pairs,
-      [=] MASU_PASS(std::uint64_t i) {
-        return BoxedPrimitive{box_of_voxel(number[i + 1] - 1), span.primitives[i]};
+      executor, span.pairs,
+      [=] MASU_PASS(std::uint64_t i, Fragment & fragment) {
+        return splitter.fragment_in(box_of_voxel(number[i + 1] - 1), span.primitives[i], fragment);
       },
       kept);
   SplitLevel<Executor> level{executor.template array<LevelBox>(voxels), {}};
@@ -143,19 +136,6 @@ std::vector<SplitLevel<Executor>> unsplit_voxels(Executor& executor, const Vec3i
   });
   executor.for_each(span.pairs, [=] MASU_PASS(std::uint64_t i) { listed[i] = span.primitives[i]; });
   return levels;
-}
-
-// How many cells there are before each voxel of the division, and at its end before no more: those of the
-// occupied ones, and one for each run along x of those that hold nothing.
-template <class Executor>
-ArrayOf<Executor, std::uint32_t>
-cells_before_voxels(Executor& executor, const Vec3i& division, const VoxelSpan& span,
-                    const std::uint32_t* occupied_number, const LeafCounts* leaves) {
-  const auto row = static_cast<std::uint32_t>(division.x);
-  return sums_before(executor, span.size(), [=] MASU_PASS(std::uint64_t i) {
-    if (occupied_number[i] != 0) return leaves[occupied_number[i] - 1].leaves;
-    return (span.first + i) % row == 0 || occupied_number[i - 1] != 0 ? 1U : 0U;
-  });
 }
 
 // The cells of runs of empty voxels, and the words of their voxels.
@@ -287,7 +267,12 @@ ExecutorStructure<Executor> merged_part(Executor& executor, const Splitter<Store
     if (i != voxels) occupied_number[index[i] - span.first] = static_cast<std::uint32_t>(i) + 1;
   });
   executor.scan(starts);
-  const auto cells_before = cells_before_voxels(executor, division, span, occupied_number, leaves);
+  // Those of the occupied voxels, and one for each run along x of those that hold nothing.
+  const auto row = static_cast<std::uint32_t>(division.x);
+  const auto cells_before = sums_before(executor, span.size(), [=] MASU_PASS(std::uint64_t i) {
+    if (occupied_number[i] != 0) return leaves[occupied_number[i] - 1].leaves;
+    return (span.first + i) % row == 0 || occupied_number[i - 1] != 0 ? 1U : 0U;
+  });
   const std::uint32_t* const cell_before = cells_before.data();
   executor.for_each(voxels,
                     [=] MASU_PASS(std::uint64_t i) { start[i].leaves = cell_before[index[i] - span.first]; });
@@ -342,9 +327,9 @@ ExecutorStructure<Executor> balanced_grid(Executor& executor, const Splitter<Sto
   const VoxelBox whole{{0, 0, 0}, grid.layout.division};
   ArrayOf<Executor, std::uint32_t> kept{};
   auto fragments = fragments_of(
-      executor, splitter, splitter.scene.primitive_count(),
-      [=] MASU_PASS(std::uint64_t i) {
-        return BoxedPrimitive{whole, static_cast<PrimitiveIndex>(i)};
+      executor, splitter.scene.primitive_count(),
+      [=] MASU_PASS(std::uint64_t i, Fragment & fragment) {
+        return splitter.fragment_in(whole, static_cast<PrimitiveIndex>(i), fragment);
       },
       kept);
   SplitLevel<Executor> level{executor.template array<LevelBox>(1), {}};
@@ -373,9 +358,14 @@ ExecutorStructure<Executor> merged_grid(Executor& executor, const SceneView<Stor
                                         const StructureOptions& options) {
   check_primitives(scene.primitive_count());
   const bool irregular = options.kind == StructureKind::irregular;
-  const std::int32_t nested_log2 = irregular ? nested_log2_for(layout.division, options) : 0;
+  const std::int32_t longest = std::max({layout.division.x, layout.division.y, layout.division.z}),
+                     nested_log2 = irregular ? nested_log2_for(longest, options) : 0;
   ExecutorStructure<Executor> grid{layout, options.kind, 0, nested_log2};
-  if ((grid.exceeded = exceeded_by_division(layout.division)) != nullptr) return grid;
+  constexpr std::uint64_t most_voxels = std::uint64_t{1} << 28; // each has a word of the map
+  if (longest > max_plane || voxel_count(layout.division) > most_voxels) {
+    grid.exceeded = "more than 2^28 voxels to merge";
+    return grid;
+  }
   StructureOptions tried = options;
   const auto splitter = [&] { return Splitter<Stored>(scene, finer(layout, nested_log2), overlap, tried); };
   if (options.kind == StructureKind::balance) return balanced_grid(executor, splitter());

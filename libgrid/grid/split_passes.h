@@ -95,13 +95,13 @@ struct DivideBoxes {
       own.child = is_plane(best) ? 0 : no_child;
     }
     group.sync();
-    const Plane plane{own.axis, own.position};
+    const std::int32_t axis = own.axis, position = own.position;
     const bool is_leaf = own.child == no_child;
     const auto box = static_cast<std::uint32_t>(i);
     const std::uint32_t end = own.end;
     for (std::uint32_t f = own.begin + group.thread_rank(); f < end; f += group.size()) {
-      const std::uint32_t below = Splitter<Stored>::is_below(fragments[f], plane),
-                          above = Splitter<Stored>::is_above(fragments[f], plane);
+      const std::uint32_t below = fragments[f].first[axis] < position,
+                          above = fragments[f].last[axis] >= position;
       if (!is_leaf && below + above == 1) {
         decide.counts[f] = {below, above, 0};
       } else if (!Executor::has_warps) {

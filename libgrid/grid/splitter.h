@@ -53,12 +53,6 @@ inline constexpr std::int32_t max_planes = 1 << max_planes_log2;
 // fragments begin between them along x, y and z, and how many end.
 using PlaneBins = std::uint32_t[2][3][max_planes + 1];
 
-// How many fragments reach below and above a plane.
-struct PlaneCounts {
-  std::int32_t position;
-  std::uint32_t below, above;
-};
-
 template <class Stored>
 struct Splitter {
   SceneView<Stored> scene;
@@ -97,8 +91,7 @@ struct Splitter {
                                                   : cheapest_plane(group, bins, box, fragments, count);
   }
 
-  // The division of a box that makes the expected cost least, if any is worth it. To be called by all
-  // threads, for the first of them; `bins` is theirs to share.
+  // The division that makes the expected cost least.
   template <class ThreadGroup>
   MASU_HD Plane cheapest_plane(const ThreadGroup& group, PlaneBins& bins, const VoxelBox& box,
                                const Fragment* fragments, std::uint32_t count) const {
@@ -113,17 +106,17 @@ struct Splitter {
       return listed + options.step_cost * (listed > 0 ? 1 : empty_step);
     };
     const double now = cost_of(count) * area;
-    for_each_plane(group, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
+    for_each_plane(group, bins, box, spacings, count, [&](int axis, int position, auto below, auto above) {
       const double u = w[(axis + 1) % 3], v = w[(axis + 2) % 3];
-      const double low = (plane.position - box.first[axis]) * size[axis],
-                   high = (box.end[axis] - plane.position) * size[axis];
+      const double low = (position - box.first[axis]) * size[axis],
+                   high = (box.end[axis] - position) * size[axis];
       const double cost =
-          (u * v + low * (u + v)) * cost_of(plane.below) + (u * v + high * (u + v)) * cost_of(plane.above);
+          (u * v + low * (u + v)) * cost_of(below) + (u * v + high * (u + v)) * cost_of(above);
       // Where many are listed a division may pay only after the next one; if it leaves one side with fewer,
       // or what lies in the same place would be divided without end.
-      const bool may_pay_later = count > few && std::min(plane.below, plane.above) <= count - count / 4;
+      const bool may_pay_later = count > few && std::min(below, above) <= count - count / 4;
       const double bound = now * (may_pay_later ? patience : options.alpha);
-      if (cost < bound && cost < best.cost) best = {axis, plane.position, cost};
+      if (cost < bound && cost < best.cost) best = {axis, position, cost};
     });
     return group.first_of_all(best);
   }
@@ -141,19 +134,12 @@ struct Splitter {
         spacings.set(axis, spacings[axis] + 1);
     }
     count_fragments(group, bins, box, spacings, fragments, count);
-    for_each_plane(group, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
+    for_each_plane(group, bins, box, spacings, count, [&](int axis, int position, auto below, auto above) {
       const double along = (box.end[axis] - box.first[axis]) * size[axis];
-      const double cost = std::max(plane.below, plane.above) + 1 / (1 + along);
-      if (std::min(plane.below, plane.above) < count && cost < best.cost) best = {axis, plane.position, cost};
+      const double cost = std::max(below, above) + 1 / (1 + along);
+      if (std::min(below, above) < count && cost < best.cost) best = {axis, position, cost};
     });
     return group.first_of_all(best);
-  }
-
-  MASU_HD static bool is_below(const Fragment& fragment, const Plane& plane) {
-    return fragment.first[plane.axis] < plane.position;
-  }
-  MASU_HD static bool is_above(const Fragment& fragment, const Plane& plane) {
-    return fragment.last[plane.axis] >= plane.position;
   }
 
   struct Sided {
@@ -265,7 +251,8 @@ private:
     group.sync();
   }
 
-  // act(axis, plane) for each plane within the box, in the planes' order along each axis; a lane has some.
+  // act(axis, position, how many fragments reach below it, how many above) for each plane within the box, in
+  // the planes' order along each axis; a lane has some.
   template <class ThreadGroup, class Act>
   MASU_HD static void for_each_plane(const ThreadGroup& group, const PlaneBins& bins, const VoxelBox& box,
                                      const Vec3i& spacings, std::uint32_t count, const Act& act) {
@@ -274,7 +261,7 @@ private:
       for (auto bin = static_cast<std::int32_t>(group.thread_rank()); bin < last;
            bin += static_cast<std::int32_t>(group.size())) {
         const std::int32_t position = ((box.first[axis] >> spacings[axis]) + bin + 1) << spacings[axis];
-        act(axis, PlaneCounts{position, bins[0][axis][bin], count - bins[1][axis][bin]});
+        act(axis, position, bins[0][axis][bin], count - bins[1][axis][bin]);
       }
     }
   }

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "libgrid/grid/overlap/overlap.h"
-#include "libgrid/grid/storage_order.h"
 #include "libgrid/structure/structure.h"
 #include "libscene/passes/passes.h"
 #include "libscene/scene_view.h"
@@ -46,12 +45,10 @@ struct EmitOverlaps { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggr
 
 // Which primitives are in which voxels, by voxel in the storage order, then by primitive. None for more than
 // `most`.
-template <class Executor>
-using VoxelPairs = Sorted<Executor, PrimitiveIndex>;
 template <class Executor, class Stored>
-std::optional<VoxelPairs<Executor>> voxel_pairs(Executor& executor, const SceneView<Stored>& scene,
-                                                const GridLayout& layout, Overlap overlap,
-                                                const StorageOrder& order, std::uint64_t most) {
+std::optional<Sorted<Executor, PrimitiveIndex>>
+voxel_pairs(Executor& executor, const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+            const StorageOrder& order, std::uint64_t most) {
   const EmitOverlaps<Stored> emit{scene, layout, overlap, order};
   return executor.template emit_sorted<PrimitiveIndex>(
       scene.primitive_count(), static_cast<int>(std::bit_width(order.size())), most, emit);

@@ -258,16 +258,13 @@ CollapsedLevel<Executor> collapse_level(Executor& executor, const BinaryView& bi
   return below;
 }
 
-// `below`: null at the lowest level.
 template <class Executor>
 void count_subtrees(Executor& executor, CollapsedLevel<Executor>& level,
-                    const CollapsedLevel<Executor>* below) {
+                    const CollapsedLevel<Executor>& below) {
   level.sizes = executor.template array<std::uint32_t>(level.count.room);
-  std::uint32_t* const size = level.sizes.data();
-  const CollapsedNode* const node = level.nodes.data();
-  const std::uint32_t* const first_child = level.first_child.data();
-  const std::uint32_t* const child_size = below != nullptr ? below->sizes.data() : nullptr;
-  executor.for_each(level.count.room, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(level.count.room, [size = level.sizes.data(), node = level.nodes.data(),
+                                       first_child = level.first_child.data(),
+                                       child_size = below.sizes.data()] MASU_PASS(std::uint64_t i) {
     std::uint32_t sum = 1;
     for (std::uint32_t k = 0; k != count_bits(node[i].nodes); ++k)
       sum += child_size[first_child[i] + k];
@@ -279,18 +276,15 @@ void count_subtrees(Executor& executor, CollapsedLevel<Executor>& level,
 template <class Executor>
 ArrayOf<Executor, NodePlace>
 write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<Executor>& level,
-            const CollapsedLevel<Executor>* below, const ArrayOf<Executor, NodePlace>& places,
+            const CollapsedLevel<Executor>& below, const ArrayOf<Executor, NodePlace>& places,
             ExecutorStructure<Executor>& structure) {
-  auto child_places = executor.template array<NodePlace>(below != nullptr ? below->count.room : 0);
-  const std::uint32_t *const root = level.roots.data(), *const first_child = level.first_child.data(),
-                             *const child_size = below != nullptr ? below->sizes.data() : nullptr,
-                             *const child_root = below != nullptr ? below->roots.data() : nullptr;
-  const CollapsedNode* const node = level.nodes.data();
-  const NodePlace* const place = places.data();
-  NodePlace* const child_place = child_places.data();
-  HierarchyNode* const nodes = structure.nodes.data();
-  PrimitiveIndex* const references = structure.references.data();
-  executor.for_each(level.count.room, [=, count = level.count.room] MASU_PASS(std::uint64_t i) {
+  auto child_places = executor.template array<NodePlace>(below.count.room);
+  executor.for_each(level.count.room, [=, count = level.count.room, root = level.roots.data(),
+                                       node = level.nodes.data(), first_child = level.first_child.data(),
+                                       child_size = below.sizes.data(), child_root = below.roots.data(),
+                                       place = places.data(), child_place = child_places.data(),
+                                       nodes = structure.nodes.data(),
+                                       references = structure.references.data()] MASU_PASS(std::uint64_t i) {
     if (node[i].count == 0) return;
     if (const std::uint64_t next = i + nodes_ahead; next < count)
       for (std::uint32_t slot = 0; slot < node[next].count; ++slot)
@@ -308,10 +302,6 @@ write_level(Executor& executor, const BinaryView& binary, const CollapsedLevel<E
   return child_places;
 }
 
-struct CollapsedTotals {
-  std::uint32_t nodes, references;
-};
-
 // As a grid of the layout's space, in one voxel. What isn't read any more is freed meanwhile: this is where a
 // build takes most memory.
 template <class Executor>
@@ -325,31 +315,26 @@ ExecutorStructure<Executor> collapsed_hierarchy(Executor& executor, const GridLa
   const BinaryView binary{from.nodes.data(), from.choices.data()};
   auto counts = executor.template zeros<std::uint32_t>(max_hierarchy_depth + 2);
   CollapsedLevel<Executor> next{{1, nullptr}, executor.template zeros<std::uint32_t>(1)};
-  std::vector<CollapsedLevel<Executor>> levels;
-  while (next.count.room > 0) {
+  std::vector<CollapsedLevel<Executor>> levels; // the last one is empty
+  std::size_t depth = 0;
+  for (; next.count.room > 0; ++depth) {
     levels.push_back(std::move(next));
-    next = collapse_level(executor, binary, from.nodes.size() / 2, counts, levels.size() - 1, levels.back());
+    next = collapse_level(executor, binary, from.nodes.size() / 2, counts, depth, levels.back());
   }
+  levels.emplace_back();
   from.choices = {};
-  const auto below = [&](std::size_t level) {
-    return level + 1 < levels.size() ? &levels[level + 1] : nullptr;
-  };
-  for (std::size_t level = levels.size(); level-- > 0;)
-    count_subtrees(executor, levels[level], below(level));
-  auto totals = executor.template array<CollapsedTotals>(1);
-  auto places = executor.template array<NodePlace>(1);
-  CollapsedTotals* const total = totals.data();
-  NodePlace* const root = places.data();
-  const std::uint32_t* const size = levels[0].sizes.data();
-  executor.for_each(1, [=] MASU_PASS(std::uint64_t) {
-    *total = {*size, binary.nodes[0].count};
-    *root = {0, 1, 0};
+  for (std::size_t level = depth; level-- > 0;)
+    count_subtrees(executor, levels[level], levels[level + 1]);
+  auto places = executor.template array<NodePlace>(2); // the root's, and what would come after all
+  executor.for_each(1, [=, place = places.data(), size = levels[0].sizes.data()] MASU_PASS(std::uint64_t) {
+    place[0] = {0, 1, 0};
+    place[1] = {*size, *size, binary.nodes[0].count};
   });
-  const CollapsedTotals all = executor.value(totals, 0);
-  structure.nodes = executor.template array<HierarchyNode>(all.nodes);
-  structure.references = executor.template array<PrimitiveIndex>(all.references);
-  for (std::size_t level = 0; level < levels.size(); ++level) {
-    places = write_level(executor, binary, levels[level], below(level), places, structure);
+  const NodePlace end = executor.value(places, 1);
+  structure.nodes = executor.template array<HierarchyNode>(end.node);
+  structure.references = executor.template array<PrimitiveIndex>(end.first_reference);
+  for (std::size_t level = 0; level < depth; ++level) {
+    places = write_level(executor, binary, levels[level], levels[level + 1], places, structure);
     levels[level] = {};
   }
   return structure;

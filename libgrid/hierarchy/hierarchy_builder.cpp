@@ -1,7 +1,6 @@
 #include "libgrid/hierarchy/hierarchy_builder.h"
 
 #include "libgrid/hierarchy/binary/binary_hierarchy.h"
-#include "libgrid/hierarchy/binary/top_down_host.h"
 #include "libgrid/hierarchy/leaf_passes.h"
 #include "libgrid/hierarchy/refit_passes.h"
 #include "libscene/base/available_memory.h"

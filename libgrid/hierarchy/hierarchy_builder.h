@@ -3,7 +3,7 @@
 
 #include "libgrid/structure/structure.h"
 #include "libscene/base/progress_monitor.h"
-#include "libscene/mesh/meshes_view.h"
+#include "libscene/mesh/stored_triangles.h"
 
 namespace masu {
 
@@ -13,6 +13,9 @@ inline constexpr double spare_leaves = 0.7;  // a primitive, for the parts of th
 inline constexpr double spare_fragments = 2; // a leaf, for what is divided later
 inline constexpr auto max_hierarchy_primitives =
     static_cast<std::uint64_t>(static_cast<double>(0x7fffffff) / (1 + spare_leaves) / (1 + spare_fragments));
+
+// Enough bytes per primitive for the binary hierarchy and what it is made into.
+inline constexpr double hierarchy_bytes_per_primitive = 300;
 
 // Throws Error(usage, "structure", …) for more, and where so many take more than `available` bytes of memory.
 void check_hierarchy(std::uint64_t primitives, double available);
@@ -29,11 +32,11 @@ void check_hierarchy(const Boxd& space);
 void check_hierarchy(std::uint64_t primitives, const Boxd& space);
 
 // First leaves, of primitives and parts of them (leaf_passes.h); then a binary hierarchy of these, from the
-// top down (binary_hierarchy.h, top_down_host.h); then the cheapest nodes of eight boxes that it can be
-// collapsed to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's
-// space, in one voxel; boxes contain the layout's margin around each primitive. The root comes first, then
-// depth first, a node's nodes side by side. Scene: SceneView or MeshesView. `progress` gets shares of the
-// work of high quality. Throws as check_hierarchy() does.
+// top down (binary_hierarchy.h); then the cheapest nodes of eight boxes that it can be collapsed to
+// (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's space, in one
+// voxel; boxes contain the layout's margin around each primitive. The root comes first, then depth first, a
+// node's nodes side by side. Scene: SceneView or MeshesView. `progress` gets shares of the work of high
+// quality. Throws as check_hierarchy() does.
 template <class Scene>
 Structure build_hierarchy(const Scene& scene, const GridLayout& layout, HierarchyQuality quality = {},
                           ProgressMonitor* progress = nullptr);

@@ -81,6 +81,7 @@ inline constexpr int order_bits = 31;
 inline constexpr double cuts_per_width = 0.7;
 inline constexpr std::uint32_t max_cuts_log2 = 6, max_cuts = (1U << max_cuts_log2) - 1;
 
+// Emits pairs of a part's place in the order, and its leaf.
 template <class Scene>
 struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
   Scene scene;
@@ -88,18 +89,26 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
   MortonCurve curve;
   double mean_width; // of all boxes
 
-  // Half of a box's surface.
-  MASU_HD static double area(const Boxd& box) {
-    const Vec3d side = box.max - box.min;
-    return side.x * (side.y + side.z) + side.y * side.z;
+  template <class Add>
+  MASU_HD void operator()(std::uint64_t i, std::uint64_t, std::uint64_t, const Add& add) const {
+    const auto index = static_cast<PrimitiveIndex>(i);
+    with_primitive(scene, index, [&](const auto& primitive) {
+      if (!has_surface(primitive)) return;
+      for_each_part(primitive, [&](const Boxf& box) {
+        const std::uint64_t is_small = std::sqrt(half_area(cast<double>(box))) < largest_width * mean_width;
+        add(is_small << order_bits | curve.code(box, order_bits), BinaryNode{box.min, index, box.max, 1});
+      });
+    });
   }
+
+private:
   // How wide what is empty of a primitive's box is where dividing it would help: nothing for triangles whose
   // projections along the axes fill a third of their box's sides, as those of compact ones do and of all
   // along two axes, however they are cut; nor for others.
   MASU_HD double empty_width(const Triangle<double>& triangle) const {
     constexpr double most_filled = 0.3;
     const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-    const double whole = area(bounds(triangle)),
+    const double whole = half_area(bounds(triangle)),
                  filled = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
     return filled > 0 && filled < most_filled * whole ? std::sqrt(whole - filled) : 0;
   }
@@ -121,41 +130,25 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
     stack[0] = {whole, static_cast<std::uint32_t>(cuts)};
     for (int height = 1; height > 0;) {
       const Part part = stack[--height];
-      Part below = part, above = part;
-      if (part.cuts == 0 || !cut(primitive, below.box, above.box)) {
+      Sides sides{};
+      if (part.cuts > 0) {
+        const CutPlane plane = curve.plane_across(part.box);
+        sides = parts_of(primitive, plane.axis, plane.place, margin, part.box);
+      }
+      if (part.cuts == 0 || !sides.are_two()) {
         act(part.box);
         continue;
       }
-      const float low = longest_side(below.box), high = longest_side(above.box);
+      const float low = largest_magnitude(sides.below.max - sides.below.min),
+                  high = largest_magnitude(sides.above.max - sides.above.min);
       const float share = low > 0 ? low / (low + high) : 0;
-      below.cuts = std::min(static_cast<std::uint32_t>(static_cast<float>(part.cuts) * share), part.cuts - 1);
-      above.cuts = part.cuts - 1 - below.cuts;
+      const std::uint32_t cuts_below =
+          std::min(static_cast<std::uint32_t>(static_cast<float>(part.cuts) * share), part.cuts - 1);
+      const Part below{sides.below, cuts_below}, above{sides.above, part.cuts - 1 - cuts_below};
       // The one of more cuts waits: so each that waits has at most half of the cuts of the one before.
       stack[height++] = below.cuts > above.cuts ? below : above;
       stack[height++] = below.cuts > above.cuts ? above : below;
     }
-  }
-
-private:
-  MASU_HD static float longest_side(const Boxf& box) {
-    const Vec3f side = box.max - box.min;
-    return std::max(side.x, std::max(side.y, side.z));
-  }
-  // A part's box, given as both, by a plane; false where that leaves a side without anything.
-  template <class Primitive>
-  MASU_HD bool cut(const Primitive& primitive, Boxf& below, Boxf& above) const {
-    const CutPlane plane = curve.plane_across(below);
-    const ClippedBounds sides = sides_of(primitive, plane.axis, plane.place, plane.place);
-    return shrink(below, sides.below) && shrink(above, sides.above);
-  }
-  MASU_HD bool shrink(Boxf& box, const Boxd& bounds) const {
-    if (is_empty(bounds)) return false;
-    const Boxf other = box_around(bounds, margin);
-    for (int axis = 0; axis < 3; ++axis) {
-      box.min.set(axis, std::max(box.min[axis], other.min[axis]));
-      box.max.set(axis, std::min(box.max[axis], other.max[axis]));
-    }
-    return !is_empty(box);
   }
 };
 
@@ -167,47 +160,21 @@ struct WidthSum {
 MASU_HD inline WidthSum join(const WidthSum& a, const WidthSum& b) {
   return {a.width + b.width, a.area + b.area, a.count + b.count};
 }
-template <class Scene>
-struct WidthOf {
-  Scene scene;
-  MASU_HD WidthSum operator()(std::uint64_t i) const {
-    WidthSum sum;
-    with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
-      const double area = Divider<Scene>::area(bounds(primitive));
-      if (has_surface(primitive)) sum = {std::sqrt(area), area, 1};
-    });
-    return sum;
-  }
-};
-
-// Pairs of a part's place in the order, and its leaf.
-template <class Scene>
-struct EmitParts {
-  Divider<Scene> divider;
-
-  template <class Add>
-  MASU_HD void operator()(std::uint64_t i, std::uint64_t, std::uint64_t, const Add& add) const {
-    const auto index = static_cast<PrimitiveIndex>(i);
-    with_primitive(divider.scene, index, [&](const auto& primitive) {
-      if (!has_surface(primitive)) return;
-      divider.for_each_part(primitive, [&](const Boxf& box) {
-        const std::uint64_t is_small =
-            std::sqrt(divider.area(cast<double>(box))) < largest_width * divider.mean_width;
-        add(is_small << order_bits | divider.curve.code(box, order_bits),
-            BinaryNode{box.min, index, box.max, 1});
-      });
-    });
-  }
-};
 
 template <class Executor, class Scene>
 HierarchyLeaves<Executor> hierarchy_leaves(Executor& executor, const Scene& scene, const GridLayout& layout) {
   const std::uint64_t primitives = scene.primitive_count();
-  const auto sum = joined_in_order<WidthSum>(executor, primitives, WidthOf<Scene>{scene});
+  const auto sum = joined_in_order<WidthSum>(executor, primitives, [=] MASU_PASS(std::uint64_t i) {
+    WidthSum width;
+    with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
+      const double area = half_area(bounds(primitive));
+      if (has_surface(primitive)) width = {std::sqrt(area), area, 1};
+    });
+    return width;
+  });
   const double mean_width = static_cast<float>(sum.width / static_cast<double>(sum.count));
   const Divider<Scene> divider{scene, layout.margin, MortonCurve(layout.space), mean_width};
-  auto sorted = executor.template emit_sorted<BinaryNode>(primitives, order_bits + 1, max_numbered,
-                                                          EmitParts<Scene>{divider});
+  auto sorted = executor.template emit_sorted<BinaryNode>(primitives, order_bits + 1, max_numbered, divider);
   HierarchyLeaves<Executor> made{std::move(sorted->values)};
   if (sum.area > least_spread * mean_width * sum.width) {
     const double width = large_width * mean_width;

@@ -29,8 +29,9 @@ MASU_HD Boxf box_of_primitive(const SceneView<Stored>& scene, PrimitiveIndex ind
 }
 
 // Half of the surface: what SAH compares.
-MASU_HD inline float half_area(const Boxf& box) {
-  const Vec3f side = box.max - box.min;
+template <class Real>
+MASU_HD Real half_area(const Box<Real>& box) {
+  const Vec3<Real> side = box.max - box.min;
   return side.x * (side.y + side.z) + side.y * side.z;
 }
 

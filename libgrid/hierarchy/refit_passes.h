@@ -25,9 +25,8 @@ bool holds_all(Executor& executor, const SceneView<Stored>& scene,
                const ArrayOf<Executor, PrimitiveIndex>& references) {
   const auto listed_set = set_of(executor, references.data(), references.size(), scene.primitive_count());
   auto missing_count = executor.template zeros<std::uint32_t>(1);
-  const std::uint32_t* const listed = listed_set.data();
-  std::uint32_t* const missing = missing_count.data();
-  executor.for_each(scene.primitive_count(), [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(scene.primitive_count(), [=, listed = listed_set.data(),
+                                              missing = missing_count.data()] MASU_PASS(std::uint64_t i) {
     if ((listed[i / 32] >> i % 32 & 1) != 0) return;
     with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
       if (has_surface(primitive)) added(*missing, 1);

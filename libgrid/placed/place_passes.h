@@ -19,7 +19,7 @@
 #include "libgrid/placed/upper_passes.h"
 #include "libscene/base/error.h"
 #include "libscene/file/scene_file.h"
-#include "libscene/mesh/points.h"
+#include "libscene/mesh/triangle_area.h"
 #include "libscene/passes/passes.h"
 
 #include <algorithm>
@@ -82,29 +82,9 @@ ArrayOf<Executor, std::uint32_t> last_moves(const Executor& executor, const Plac
       raise(last_of[count], indices[i]);
   });
   if (const std::uint32_t wrong = executor.value(last, count); wrong != 0)
-    throw Error(ErrorCode::usage, "indices",
-                std::to_string(wrong) + " isn't a placement's: there are " + std::to_string(count));
+    fail("indices", std::to_string(wrong) + " isn't a placement's: there are " + std::to_string(count));
   return last;
 }
-
-// Where placements are now.
-struct MovedTransforms {
-  PlacementMoves moves{};
-  const std::uint32_t* last = nullptr; // last_moves()
-  const Transform* before = nullptr;   // where not all are moved
-  Transform* after = nullptr;
-
-  MASU_HD Transform operator()(std::uint64_t i) const {
-    const std::uint64_t move = moves.indices != nullptr ? std::uint64_t{last[i]} : i + 1;
-    if (move == 0) return after[i] = before[i];
-    const std::uint64_t first = (move - 1) * moves.numbers();
-    Transform transform{};
-    for (unsigned k = 0; k < 12; ++k)
-      transform.rows[k / 4][k % 4] =
-          moves.floats != nullptr ? double{moves.floats[first + k]} : moves.doubles[first + k];
-    return after[i] = transform;
-  }
-};
 
 // Of placements, before they are known to be sound.
 template <class Stored>
@@ -116,12 +96,15 @@ template <class Stored>
 MASU_HD inline PlacedSurvey<Stored> join(const PlacedSurvey<Stored>& a, const PlacedSurvey<Stored>& b) {
   return {join(a.around, b.around), join(a.known, b.known), min(a.first_singular, b.first_singular)};
 }
-// Inverts placement i, and looks at it.
+// Inverts placement i where it is now, and looks at it.
 template <class Stored>
 struct InvertPlacement {
   PlacedParts<Stored> parts;
-  MovedTransforms transforms;
-  Placement<Stored>* placements = nullptr;
+  Placement<Stored>* placements;
+  PlacementMoves moves;
+  const std::uint32_t* last; // last_moves()
+  const Transform* before;   // where not all are moved
+  Transform* after;
 
   MASU_HD PlacedSurvey<Stored> operator()(std::uint64_t i) const {
     PlacedSurvey<Stored> survey;
@@ -132,7 +115,7 @@ struct InvertPlacement {
     placement.mesh = parts.mesh[i];
     placement.mask = parts.mask[i];
     placement.world = parts.world[i];
-    const bool is_sound = set_transform(parts.origin, transforms(i), placement);
+    const bool is_sound = set_transform(parts.origin, after[i] = moved(i), placement);
     placements[i] = placement;
     if (!is_sound) survey.first_singular = static_cast<std::uint32_t>(i);
     if (!is_sound || is_empty(mesh.box)) return survey;
@@ -142,6 +125,18 @@ struct InvertPlacement {
       if (has_surface(triangle)) survey.known = join(survey.known, bounds(triangle));
     }
     return survey;
+  }
+
+private:
+  MASU_HD Transform moved(std::uint64_t i) const {
+    const std::uint64_t move = moves.indices != nullptr ? std::uint64_t{last[i]} : i + 1;
+    if (move == 0) return before[i];
+    const std::uint64_t first = (move - 1) * moves.numbers();
+    Transform transform{};
+    for (unsigned k = 0; k < 12; ++k)
+      transform.rows[k / 4][k % 4] =
+          moves.floats != nullptr ? double{moves.floats[first + k]} : moves.doubles[first + k];
+    return transform;
   }
 };
 
@@ -218,26 +213,6 @@ template <class Stored>
 MASU_HD inline PlacedFindings<Stored> join(const PlacedFindings<Stored>& a, const PlacedFindings<Stored>& b) {
   return {join(a.survey, b.survey), min(a.first_far, b.first_far), join(a.triangles, b.triangles)};
 }
-template <class Stored>
-struct FindingsOf {
-  const PlacedSurvey<Stored>* survey;
-  const Placement<Stored>* placements;
-  const std::uint32_t* listed_count;
-  const Box<Stored>* bounds;
-
-  MASU_HD PlacedFindings<Stored> operator()(std::uint64_t i) const {
-    const bool is_far = placements[i].padding == too_far;
-    return {*survey, is_far ? static_cast<std::uint32_t>(i) : no_primitive,
-            i < *listed_count ? bounds[i] : survey->known};
-  }
-};
-
-// Bounds of what is traced.
-template <class Stored>
-MASU_HD inline Boxd bounds_of_all(const PlacedParts<Stored>& parts, const PlacedFindings<Stored>& found) {
-  return around_triangles(parts, found.triangles, cast<double>(found.triangles));
-}
-
 // Items of the upper hierarchies: made ready, by their places in the order, of a world and along the curve.
 template <class Stored>
 struct UpperItems {
@@ -272,23 +247,22 @@ struct UpperItems {
   }
 };
 
-// bounds_of_all(). Throws Error(usage, "placements", …) for a transform that has no inverse or isn't finite,
-// and for what reaches farther than the store or a hierarchy holds.
+// Of what is traced. Throws Error(usage, "placements", …) for a transform that has no inverse or isn't
+// finite, and for what reaches farther than the store or a hierarchy holds.
 template <class Stored>
 Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedFindings<Stored>& found) {
-  const auto fail = [](const std::string& what) { throw Error(ErrorCode::usage, "placements", what); };
   if (const std::uint32_t singular = found.survey.first_singular; singular != no_primitive)
-    fail("number " + std::to_string(singular) + " " + not_invertible);
+    fail("placements", "number " + std::to_string(singular) + " " + not_invertible);
   const auto check_reach = [&](const Boxd& box) {
     if (!reaches_within<Stored>(box) || largest_magnitude(padded_bounds<Stored>(box)) > max_hierarchy_reach)
-      fail("reach farther from the scene's origin than its store or a hierarchy holds");
+      fail("placements", "reach farther from the scene's origin than its store or a hierarchy holds");
   };
   const Boxd around = around_all(parts, found.survey);
   if (!is_empty(around) && largest_magnitude(around) > 2 * max_hierarchy_reach) check_reach(around);
   if (found.first_far != no_primitive)
-    fail("number " + std::to_string(found.first_far) +
-         " shrinks its mesh too much for how far the scene reaches");
-  const Boxd bounds = bounds_of_all(parts, found);
+    fail("placements", "number " + std::to_string(found.first_far) +
+                           " shrinks its mesh too much for how far the scene reaches");
+  const Boxd bounds = around_triangles(parts, found.triangles, cast<double>(found.triangles));
   check_reach(bounds);
   return bounds;
 }
@@ -304,8 +278,11 @@ searched(const Executor& executor, const PlacedParts<Stored>& parts, const Place
   const std::uint32_t groups = min(parts.count, 4096U); // fill any device; few are listed
   executor.for_each_by_group(
       groups, SearchListed<Stored>{parts, survey, placements, listed, listed_count, bounds, groups});
-  return executor.template joined<PlacedFindings<Stored>>(
-      parts.count, FindingsOf<Stored>{survey, placements, listed_count, bounds});
+  return executor.template joined<PlacedFindings<Stored>>(parts.count, [=] MASU_PASS(std::uint64_t i) {
+    const bool is_far = placements[i].padding == too_far;
+    return PlacedFindings<Stored>{*survey, is_far ? static_cast<std::uint32_t>(i) : no_primitive,
+                                  i < *listed_count ? bounds[i] : survey->known};
+  });
 }
 
 // `before`: where those are that don't move. Throws as last_moves() and checked_bounds() do. A device is
@@ -321,9 +298,9 @@ PlacedArrays<Executor, Stored> placed(const Executor& executor, const PlacedPart
   auto listed_there = executor.template array<std::uint32_t>(parts.count);
   auto listed_count_there = executor.template zeros<std::uint32_t>(1);
   std::uint32_t *const listed = listed_there.data(), *const listed_count = listed_count_there.data();
-  const MovedTransforms transforms{moves, last.data(), before, made.transforms.data()};
   const auto survey_there = executor.template joined<PlacedSurvey<Stored>>(
-      parts.count, InvertPlacement<Stored>{parts, transforms, placements});
+      parts.count,
+      InvertPlacement<Stored>{parts, placements, moves, last.data(), before, made.transforms.data()});
   const PlacedSurvey<Stored>* const survey = survey_there.data();
 
   const std::uint64_t items =

@@ -104,11 +104,9 @@ MASU_HD inline void search(const PlacedRay<Stored>& seen, ClosestSearch<Stored>&
     return;
   }
   const UpperHierarchy<Stored> above{placed.upper_nodes};
-  const auto search_from = [&](std::uint32_t root) {
-    if (root != no_root) search(above, all, root);
-  };
-  if (seen.world < placed.world_count) search_from(placed.roots[seen.world]);
-  search_from(placed.roots[placed.world_count]);
+  const auto [first, second] = seen.roots();
+  if (first != no_root) search(above, all, first);
+  if (second != no_root) search(above, all, second);
 }
 
 } // namespace masu

@@ -23,7 +23,6 @@ struct PlacedScene {
 
   Vec3d origin() const { return beside->origin(); }
   std::uint32_t count() const { return static_cast<std::uint32_t>(mesh.size()); }
-  std::uint32_t triangle_count() const { return first_triangles.back(); }
   // Placements first, then the objects of what stands beside them.
   std::uint64_t objects() const { return count() + beside->counts().objects; }
   // Around the boxes of meshes as they are placed at the beginning, relative to a point.
@@ -58,7 +57,7 @@ PlacedParts<Stored> parts_of(const PlacedScene& scene, const PlaceableMeshes<Sto
           array(scene.first_triangles),
           scene.count(),
           scene.world_count,
-          scene.triangle_count(),
+          scene.first_triangles.back(),
           scene.origin(),
           beside,
           scene.beside->bounds(),

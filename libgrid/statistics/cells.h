@@ -1,12 +1,11 @@
-// All cells of a grid one by one, uniform and merged alike: for pictures, for export, for tests.
+// All cells of a grid one by one, uniform and merged alike, and in one form with the boxes of a hierarchy:
+// for pictures, for export, for tests.
 #pragma once
 
 #include "libgrid/file/structure_file.h"
-#include "libgrid/grid/grid.h"
-#include "libgrid/grid/grid_layout.h"
 
 #include <functional>
-#include <span>
+#include <optional>
 
 namespace masu {
 
@@ -33,6 +32,11 @@ inline VoxelBox whole_of(const Vec3i& division) {
 // The layout of the smallest voxels, in the world.
 GridLayout finest_layout(const StructureFile& file);
 
+// Where the plane before a voxel of that number is, of voxels of that size.
+inline double plane_in_scene(const GridLayout& finest, const Vec3d& size, int axis, double number) {
+  return number == finest.division[axis] ? finest.space.max[axis]
+                                         : finest.space.min[axis] + number * size[axis];
+}
 // Where a box of the layout's voxels lies. Neighbours share coordinates bit for bit, and the outermost have
 // those of the space.
 Boxd box_in_scene(const GridLayout& finest, const VoxelBox& box);
@@ -41,13 +45,37 @@ Boxd box_in_scene(const GridLayout& finest, const VoxelBox& box);
 // only touches don't count.
 VoxelBox voxels_covered(const GridLayout& finest, const Boxd& box);
 
-using CellAction = std::function<void(const GridCell&)>;
-
 // In the order of their numbers. A uniform grid's cells, which are its voxels, take no memory; a merged
-// grid's take 32 bytes each. `cells` as in grid.h.
-void for_each_cell(const GridView<double>& grid, const CellFilter& filter, const CellAction& act);
-void for_each_cell(const MergedGridView<double>& grid, std::span<const MergedCell> cells,
-                   const CellFilter& filter, const CellAction& act);
-void for_each_cell(const StructureFile& file, const CellFilter& filter, const CellAction& act);
+// grid's take 32 bytes each.
+void for_each_cell(const StructureFile& file, const CellFilter& filter,
+                   const std::function<void(const GridCell&)>& act);
+
+// A cell of a grid or a box of a hierarchy, in scene units.
+struct StructureBox {
+  // Of a cell as in GridCell; of a hierarchy's box boxes_per_node times its node's index, and its slot.
+  std::uint64_t number;
+  Boxd box, expanded;       // expanded: as in GridCell; of a hierarchy the same
+  std::uint32_t references; // of a box around a node 0
+  std::uint64_t voxels;     // as in GridCell; of a hierarchy HierarchyBox::inner
+  std::int32_t depth;       // cell_depth(); of a hierarchy that of the box's node, of the root 0
+};
+
+// Which are wanted.
+struct BoxFilter {
+  std::optional<Boxd> within{}; // those that share space with it; of a hierarchy also those that touch it
+  bool occupied_only = false;   // those that list references
+  std::optional<std::int32_t> depth{};
+};
+
+// How often a voxel of the division is halved down to the shortest side of a cell, whose box is in the
+// smallest voxels; 0 for cells of whole voxels.
+std::int32_t cell_depth(const StructureFile& file, const VoxelBox& box);
+
+// The greatest depth that a box can have; of a hierarchy that its deepest has.
+std::int32_t greatest_depth(const StructureFile& file);
+
+// In the order of their numbers. A hierarchy's boxes lie in those around their nodes, which come before them.
+void for_each_box(const StructureFile& file, const BoxFilter& filter,
+                  const std::function<void(const StructureBox&)>& act);
 
 } // namespace masu

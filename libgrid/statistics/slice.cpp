@@ -1,12 +1,12 @@
 #include "libgrid/statistics/slice.h"
 
-#include "libgrid/statistics/boxes.h"
 #include "libscene/base/error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace masu {
 namespace {
@@ -22,13 +22,6 @@ Boxd box_of(const SlicePlane& plane, const SliceWindow& window) {
     box.max.set(axes[i], window.max[i]);
   }
   return box;
-}
-
-VoxelBox voxels_of(const GridLayout& finest, const SlicePlane& plane, const SliceWindow& window) {
-  VoxelBox voxels = voxels_covered(finest, box_of(plane, window));
-  voxels.first.set(plane.axis, plane.layer);
-  voxels.end.set(plane.axis, plane.layer + 1);
-  return voxels;
 }
 
 } // namespace
@@ -69,35 +62,30 @@ SliceWindow in_scene(const GridLayout& finest, int axis, const SliceCell& cell) 
   SliceWindow rectangle{};
   for (std::size_t i = 0; i < 2; ++i) {
     const int along = slice_axes(axis)[i];
-    const auto plane = [&](double at) {
-      return at == finest.division[along] ? finest.space.max[along]
-                                          : finest.space.min[along] + at * size[along];
-    };
-    rectangle.min[i] = plane(cell.first[i]);
-    rectangle.max[i] = plane(cell.end[i]);
+    rectangle.min[i] = plane_in_scene(finest, size, along, cell.first[i]);
+    rectangle.max[i] = plane_in_scene(finest, size, along, cell.end[i]);
   }
   return rectangle;
 }
 
 void for_each_slice_cell(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
-                         const SliceAction& act) {
+                         const std::function<void(const SliceCell&)>& act) {
   const GridLayout finest = finest_layout(file);
   const std::array<int, 2> axes = slice_axes(plane.axis);
   if (file.is_hierarchy()) {
     const Vec3d size = voxel_size(finest);
     return for_each_box(file, {box_of(plane, window), false, window.depth}, [&](const StructureBox& box) {
-      const auto share = [&](const Vec3d& corner, int axis) {
-        return (corner[axis] - finest.space.min[axis]) / size[axis];
+      const auto corner = [&](const Vec3d& at) {
+        const auto share = [&](int axis) { return (at[axis] - finest.space.min[axis]) / size[axis]; };
+        return std::array<double, 2>{share(axes[0]), share(axes[1])};
       };
-      act({{share(box.box.min, axes[0]), share(box.box.min, axes[1])},
-           {share(box.box.max, axes[0]), share(box.box.max, axes[1])},
-           box.depth,
-           box.references,
-           box.voxels,
-           box.number});
+      act({corner(box.box.min), corner(box.box.max), box.depth, box.references, box.voxels, box.number});
     });
   }
-  for_each_cell(file, {voxels_of(finest, plane, window)}, [&](const GridCell& cell) {
+  VoxelBox voxels = voxels_covered(finest, box_of(plane, window));
+  voxels.first.set(plane.axis, plane.layer);
+  voxels.end.set(plane.axis, plane.layer + 1);
+  for_each_cell(file, {voxels}, [&](const GridCell& cell) {
     const VoxelBox& box = cell.box;
     const std::int32_t depth = cell_depth(file, box);
     if (window.depth && depth != *window.depth) return;

@@ -55,8 +55,7 @@ SliceWindow in_scene(const GridLayout& finest, int axis, const SliceCell& cell);
 // also where the window cuts them, and don't overlap; those of the whole layer fill it (in grids that
 // gridbuild makes). Of a hierarchy for each box that meets the plane within the window, its sides included;
 // these are nested, the outer ones first.
-using SliceAction = std::function<void(const SliceCell&)>;
 void for_each_slice_cell(const StructureFile& file, const SlicePlane& plane, const SliceWindow& window,
-                         const SliceAction& act);
+                         const std::function<void(const SliceCell&)>& act);
 
 } // namespace masu

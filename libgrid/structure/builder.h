@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace masu {
@@ -23,7 +24,8 @@ template <class Stored>
 class StructureBuilder {
 public:
   // What `progress` throws ends a build, and any thread may call it (progress_monitor.h).
-  explicit StructureBuilder(std::function<void(double)> progress = {}) : progress_(std::move(progress)) {}
+  explicit StructureBuilder(const SceneView<Stored>& scene, std::function<void(double)> progress = {})
+      : scene_(scene), progress_(std::move(progress)) {}
   StructureBuilder(const StructureBuilder&) = delete;
   StructureBuilder& operator=(const StructureBuilder&) = delete;
   virtual ~StructureBuilder() = default;
@@ -33,17 +35,21 @@ public:
   // of a scene that reaches too far.
   virtual Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) = 0;
   // The same, but throws Error(usage, "division", …) for a layout that exceeds a limit.
-  Structure build(const GridLayout& layout, Overlap overlap, const StructureOptions& options = {});
+  Structure build(const GridLayout& layout, Overlap overlap, const StructureOptions& options = {}) {
+    Structure grid = try_build(layout, overlap, options);
+    if (grid.exceeded != nullptr)
+      throw Error(ErrorCode::usage, "division",
+                  std::string("makes ") + grid.exceeded + ": choose a coarser one, or a hierarchy");
+    return grid;
+  }
 
-  // As refit_hierarchy() (hierarchy_builder.h), on the builder's device.
-  virtual bool refit(const GridLayout& layout, Structure& hierarchy) = 0;
-
-  virtual const SceneView<Stored>& scene() const = 0;
+  const SceneView<Stored>& scene() const { return scene_; }
   virtual DeviceSeconds device_seconds() const { return {}; }
   // Of what is built next.
   ProgressMonitor& progress() { return progress_; }
 
 private:
+  SceneView<Stored> scene_;
   ProgressMonitor progress_;
 };
 

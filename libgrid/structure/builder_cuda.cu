@@ -9,7 +9,7 @@
 #include "libgrid/structure/builder.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
-#include "libscene/cuda/device_records.h"
+#include "libscene/cuda/transfer.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/mesh/device_triangles.h"
 #include "libscene/mesh/move_passes.h"
@@ -74,7 +74,7 @@ class CudaBuilder final : public StructureBuilder<Stored> {
 public:
   CudaBuilder(const SceneView<Stored>& scene, int gpu, std::function<void(double)> progress, bool is_timed,
               const UnmadeTriangles* unmade)
-      : StructureBuilder<Stored>(std::move(progress)), host_(scene), gpu_(gpu) {
+      : StructureBuilder<Stored>(scene, std::move(progress)), gpu_(gpu) {
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
     on_gpu(gpu_, &this->progress(), [&] {
@@ -98,39 +98,21 @@ public:
 
   Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) override {
     return on_gpu(gpu_, &this->progress(), [&] {
-      if (options.kind == StructureKind::hierarchy) {
-        check_hierarchy(host_.primitive_count(), layout.space);
-        return built([&] { return hierarchy(*executor_, device_->view, layout, options.quality); });
-      }
-      if (options.kind == StructureKind::uniform)
-        return built([&] {
-          return uniform_grid(*executor_, device_->view, layout, overlap, options.max_references,
-                              options.max_map_words);
-        });
-      return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
-    });
-  }
-
-  bool refit(const GridLayout& layout, Structure& hierarchy) override {
-    check_hierarchy(host_.primitive_count(), layout.space);
-    return on_gpu(gpu_, nullptr, [&] {
-      const StreamMemory memory{nullptr, *pool_};
-      DeviceArray<HierarchyNode> nodes(hierarchy.nodes.data(), hierarchy.nodes.size(), memory);
-      const DeviceArray<PrimitiveIndex> references(hierarchy.references.data(), hierarchy.references.size(),
-                                                   memory);
+      if (options.kind == StructureKind::hierarchy)
+        check_hierarchy(this->scene().primitive_count(), layout.space);
+      const SceneView<Stored>& scene = device_->view;
       const DeviceTimer timer;
-      const bool fits = holds_all(*executor_, device_->view, references);
-      if (fits)
-        masu::refit(*executor_, device_->view, layout.margin, nodes, references.data(), references.size());
+      const ExecutorStructure<CudaExecutor> grid =
+          options.kind == StructureKind::hierarchy ? hierarchy(*executor_, scene, layout, options.quality)
+          : options.kind == StructureKind::uniform
+              ? uniform_grid(*executor_, scene, layout, overlap, options.max_references,
+                             options.max_map_words)
+              : merged_grid(*executor_, scene, layout, overlap, options);
       seconds_.build += timer.seconds();
-      if (!fits) return false;
-      nodes.download(hierarchy.nodes.data());
-      hierarchy.layout = {layout.space, {1, 1, 1}, layout.margin};
-      return true;
+      return downloaded(grid);
     });
   }
 
-  const SceneView<Stored>& scene() const override { return host_; }
   DeviceSeconds device_seconds() const override { return seconds_; }
 
 private:
@@ -157,11 +139,7 @@ private:
     check(cudaDeviceSynchronize());
   }
 
-  template <class Build>
-  Structure built(const Build& build) {
-    const DeviceTimer timer;
-    const ExecutorStructure<CudaExecutor> grid = build();
-    seconds_.build += timer.seconds();
+  Structure downloaded(const ExecutorStructure<CudaExecutor>& grid) {
     const Stopwatch watch;
     Structure copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {},
                    {},          {},        grid.detail,     grid.exceeded};
@@ -180,7 +158,6 @@ private:
     return copy;
   }
 
-  SceneView<Stored> host_;
   int gpu_;
   std::unique_ptr<MemoryPool> pool_;
   std::unique_ptr<UploadedScene<Stored>> device_;

@@ -1,6 +1,5 @@
 #include "libgrid/structure/chosen_structure.h"
 
-#include "libgrid/hierarchy/binary/binary_hierarchy.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/available_memory.h"
@@ -21,19 +20,16 @@
 namespace masu {
 namespace {
 
-// About how many bytes building takes at its peak, for so many references.
-double expected_build_bytes(const GridLayout& layout, double references) {
+// Throws Error(usage, "division", …) where there is less memory than building takes at its peak, for so many
+// references.
+void check_memory(const GridLayout& layout, double references, bool is_automatic) {
   // Pairs as they are emitted, and sorted; a block's map for each few cells.
   constexpr double pair_bytes = 8 + sizeof(std::uint64_t) + sizeof(PrimitiveIndex);
   const std::int32_t block_log2 = block_log2_for(layout.division);
   const double words = static_cast<double>(voxel_count(blocks_of(layout.division, block_log2)));
   const double block_maps = block_log2 == 0 ? 0 : references / 16 * 512 * 4;
-  return 4 * words + block_maps + references * pair_bytes;
-}
-
-// Throws Error(usage, "division", …).
-void check_memory(const GridLayout& layout, double references, bool is_automatic) {
-  const double needed = expected_build_bytes(layout, references), available = available_memory_for(needed);
+  const double needed = 4 * words + block_maps + references * pair_bytes,
+               available = available_memory_for(needed);
   if (needed <= available) return;
   const Vec3i n = layout.division;
   throw Error(
@@ -45,21 +41,11 @@ void check_memory(const GridLayout& layout, double references, bool is_automatic
 
 // As files have it.
 std::string merge_text(const Structure& grid, const StructureOptions& options) {
-  switch (grid.kind) {
-  case StructureKind::x:
-    return "x";
-  case StructureKind::balance:
-    return fmt::format("balance target {}", options.target);
-  case StructureKind::irregular:
-    return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
-                       grid.detail, options.step_cost, options.alpha, options.expand);
-  case StructureKind::uniform:
-  case StructureKind::hierarchy:
-  case StructureKind::automatic:
-  case StructureKind::fastest:
-    break;
-  }
-  return "";
+  if (grid.kind == StructureKind::x) return "x";
+  if (grid.kind == StructureKind::balance) return fmt::format("balance target {}", options.target);
+  if (grid.kind != StructureKind::irregular) return "";
+  return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
+                     grid.detail, options.step_cost, options.alpha, options.expand);
 }
 
 struct Candidate {
@@ -131,18 +117,15 @@ std::vector<Candidate> candidates_for(const SceneView<Stored>& scene, const Boxd
         add(StructureKind::uniform, layout);
     }
   };
-  const auto add_irregular = [&] { // whose voxels start out coarser, unless their division was given
-    DivisionRule rule = options.division;
+  const bool is_chosen =
+      kind == StructureKind::fastest || (kind == StructureKind::automatic && automatic_division);
+  if (is_chosen) add_uniform({1});
+  if (is_chosen || kind == StructureKind::irregular) {
+    DivisionRule rule = options.division; // voxels start out coarser, unless their division was given
     if (automatic_division) rule.kind = DivisionRule::Kind::nested;
     const GridLayout usual = layout_by(rule);
     add(StructureKind::irregular, usual);
     if (automatic_division) add(StructureKind::irregular, scaled(usual, 0.25));
-  };
-  if (kind == StructureKind::irregular) {
-    add_irregular();
-  } else if (kind == StructureKind::fastest || (kind == StructureKind::automatic && automatic_division)) {
-    add_uniform({1});
-    add_irregular();
   } else if (kind == StructureKind::uniform && automatic_division) {
     add_uniform({1, 0.625, 1.6});
   } else {
@@ -212,18 +195,6 @@ Structure fastest_of(const std::vector<Candidate>& candidates, StructureBuilder<
   if (hierarchy) limits = limits_after(hierarchy->costs);
   std::size_t tried = hierarchy ? 1 : 0;
   const std::size_t all = tried + candidates.size();
-  // None where a limit is exceeded.
-  const auto built = [&](const Candidate& candidate) -> std::optional<Built> {
-    builder.progress().begin_part(tried++, all);
-    Built one{builder.try_build(candidate.layout, options.overlap, candidate.options), {}};
-    if (one.structure.exceeded != nullptr) return std::nullopt;
-    one.costs = sampled_costs(builder.scene(), one.structure,
-                              limits ? *limits : limits_for(candidate.options.kind, candidate.primitives),
-                              &builder.progress());
-    if (limits && one.costs.rays < limits->rays) return std::nullopt;
-    if (!limits) limits = limits_after(one.costs);
-    return one;
-  };
   // What comes first is the usual one. Pictures take up to 7 % longer through a coarser top division that
   // lists take as long through: their threads share no tests.
   constexpr double clearly = 0.95;
@@ -236,8 +207,17 @@ Structure fastest_of(const std::vector<Candidate>& candidates, StructureBuilder<
     least = time;
     fastest = std::move(one.structure);
   };
-  for (const Candidate& candidate : candidates)
-    if (std::optional<Built> one = built(candidate)) consider(*std::move(one));
+  for (const Candidate& candidate : candidates) {
+    builder.progress().begin_part(tried++, all);
+    Built one{builder.try_build(candidate.layout, options.overlap, candidate.options), {}};
+    if (one.structure.exceeded != nullptr) continue;
+    one.costs = sampled_costs(builder.scene(), one.structure,
+                              limits ? *limits : limits_for(candidate.options.kind, candidate.primitives),
+                              &builder.progress());
+    if (limits && one.costs.rays < limits->rays) continue;
+    if (!limits) limits = limits_after(one.costs);
+    consider(std::move(one));
+  }
   if (hierarchy) consider(*std::move(hierarchy));
   return considered.empty() ? usual_one(candidates.front(), builder, options) : std::move(fastest);
 }

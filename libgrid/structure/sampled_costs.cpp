@@ -8,6 +8,7 @@
 #include "libscene/geometry/surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -82,7 +83,7 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view, con
   const Boxd space = cast<double>(scene.clip);
   const Sphere<double> sphere = sphere_around(space);
   std::vector<StepCounts> across(limits.rays), aimed(limits.rays), scattered(limits.rays);
-  std::vector<std::uint8_t> is_hit(limits.rays);
+  std::atomic<std::size_t> hits = 0;
   const auto trace_one = [&](std::size_t i) {
     if (i % 16 == 0) check_progress(progress);
     RandomSequence random(1, i);
@@ -90,7 +91,7 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view, con
     const Traced first = trace(scene, view, aimed_ray(scene, space, random), random);
     aimed[i] = first.counts;
     if (!first.scattered) return;
-    is_hit[i] = 1;
+    ++hits;
     scattered[i] = trace(scene, view, *first.scattered, random).counts;
   };
   // Twice as many each time: few where a single ray takes long.
@@ -103,7 +104,6 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view, con
         costs.work += counts.steps + counts.tests;
     }
   }
-  const auto hits = static_cast<std::size_t>(std::ranges::count(is_hit, 1));
   costs.across = mean(across, costs.rays);
   costs.aimed = mean(aimed, costs.rays);
   costs.scattered = mean(scattered, hits);

@@ -1,7 +1,6 @@
 // What a built grid is.
 #pragma once
 
-#include "libgrid/grid/storage_order.h"
 #include "libgrid/structure/structure_options.h"
 #include "libgrid/structure/structure_records.h"
 #include "libscene/base/error.h"

@@ -11,7 +11,7 @@
 // (2 MiB): so n hits take n log n steps, not n² as on a device.
 #pragma once
 
-#include "libgrid/trace/any_structure.h"
+#include "libgrid/trace/trace.h"
 #include "libscene/geometry/each_hit.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ struct SidedHit {
   }
 };
 
-inline constexpr int hits_per_pass = 16, most_hits_per_pass = 1 << 16;
+inline constexpr std::uint32_t hits_per_pass = 16, most_hits_per_pass = 1 << 16;
 
 // The first `capacity` hits after `last`, in order: few, in registers and a device's local memory.
 template <class Real>
@@ -88,7 +88,7 @@ struct ManyHits {
   int count = 0; // of those sorted
 
   void keep(const SidedHit<Real>& hit) {
-    if (!last.before(hit) || (is_full() && !hit.before(hits[end() - 1]))) return;
+    if (!last.before(hit) || (is_full() && !hit.before(hits[end_of_room() - 1]))) return;
     hits.push_back(hit);
     if (hits.size() == 2 * end_of_room()) sort();
   }
@@ -101,10 +101,9 @@ struct ManyHits {
     count = static_cast<int>(hits.size());
   }
   bool is_full() const { return count == capacity; }
-  Real farthest(Real t_max) const { return is_full() ? hits[end() - 1].t : t_max; }
+  Real farthest(Real t_max) const { return is_full() ? hits[end_of_room() - 1].t : t_max; }
 
 private:
-  std::size_t end() const { return static_cast<std::size_t>(count); }
   std::size_t end_of_room() const { return static_cast<std::size_t>(capacity); }
 };
 
@@ -136,8 +135,7 @@ struct NextHits {
 private:
   template <class From>
   MASU_HD void keep(PrimitiveIndex number, const From& from) {
-    if (!filter.admits(scene, number)) return;
-    keep_admitted(number, from);
+    if (filter.admits(scene, number)) keep_admitted(number, from);
   }
   template <class From>
   MASU_HD void keep_admitted(PrimitiveIndex number, const From& from) {
@@ -161,9 +159,7 @@ MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const
   NoWalkCounts counts;
   SidedHit<Real> last{near.ray.t_min, 0xffffffffU}; // every hit comes after it
   std::uint32_t all = 0;
-  const auto room_for = [&](int most) {
-    return limit - all < static_cast<std::uint32_t>(most) ? static_cast<int>(limit - all) : most;
-  };
+  const auto room_for = [&](std::uint32_t most) { return static_cast<int>(std::min(limit - all, most)); };
   // False where there are no more.
   const auto pass = [&](auto room) {
     NextHits<M, Stored, decltype(room)> next{scene,          test_ray, counts,
@@ -183,7 +179,8 @@ MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const
     goes_on = pass(FewHits<Real>{room_for(hits_per_pass), last});
 #else
   if (goes_on) goes_on = pass(FewHits<Real>{room_for(hits_per_pass), last});
-  for (int most = 16 * hits_per_pass; goes_on && all < limit; most = std::min(16 * most, most_hits_per_pass))
+  for (std::uint32_t most = 16 * hits_per_pass; goes_on && all < limit;
+       most = std::min(16 * most, most_hits_per_pass))
     goes_on = pass(ManyHits<Real>{room_for(most), last});
 #endif
   return all;

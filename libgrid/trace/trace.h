@@ -3,9 +3,15 @@
 #pragma once
 
 #include "libgrid/grid/grid_walk.h"
-#include "libgrid/hierarchy/walk/walk.h"
+#include "libgrid/hierarchy/walk/hierarchy_walk.h"
+#include "libgrid/hierarchy/walk/walks_in_use.h"
+#include "libgrid/structure/structure_records.h"
 #include "libscene/geometry/clip.h"
 #include "libscene/geometry/intersect.h"
+
+#ifdef MASU_HOST_AVX2
+#include "libgrid/hierarchy/walk/nearest_first_avx2.h"
+#endif
 
 #include <type_traits>
 
@@ -52,7 +58,8 @@ template <unsigned kinds, class TestRay, class Stored, class Counts>
 MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay& ray,
                                    PrimitiveIndex primitive, const typename TestRay::Real& t_min,
                                    typename TestRay::Real& t, Counts& counts) {
-  const bool met = intersect<kinds>(scene, ray, primitive, t_min, t, counts);
+  const SceneRecord<Stored> from{scene, primitive};
+  const bool met = intersect<kinds>(scene, ray, primitive, from, t_min, t, counts);
   if constexpr (records_walk<Counts>)
     counts.tested(primitive, met ? t : static_cast<typename TestRay::Real>(INFINITY));
   return met;
@@ -94,21 +101,15 @@ struct NearestHit {
     if (intersect<M::kinds>(scene, ray, number, leaf, t_min, t, counts) && is_nearer(t, number, hit))
       hit = {t, number};
   }
+  MASU_HD bool done(Real exit) const { return can_terminate<Query::nearest_hit>(hit.t, t_max, exit, stop); }
+  // What lies beyond can't be the nearest hit; nor what is still to come, whatever it is.
+  MASU_HD Real farthest() const { return hit.t; }
+  MASU_HD bool ends() const { return false; }
 #ifdef MASU_HOST_AVX2
   void met(Real t, PrimitiveIndex number) requires tests_triangles_in_lanes<M, Stored> {
     if (t > t_min && is_nearer(t, number, hit)) hit = {t, number};
   }
 #endif
-  MASU_HD bool done(Real exit) const {
-    return can_terminate<Query::nearest_hit>(hit.t, t_max, exit, stop);
-  }
-  // What lies beyond can't be the nearest hit; nor what is still to come, whatever it is.
-  MASU_HD Real farthest() const {
-    return hit.t;
-  }
-  MASU_HD bool ends() const {
-    return false;
-  }
 };
 
 // Ends with the first hit between t_min and t_max, whichever it is.
@@ -138,23 +139,15 @@ struct AnyHit {
     Real t;
     if (intersect<M::kinds>(scene, ray, leaf.primitive(), leaf, t_min, t, counts) && t < t_max) hit = t;
   }
+  MASU_HD bool found() const { return hit < t_max; }
+  MASU_HD bool done(Real exit) const { return can_terminate<Query::occlusion>(hit, t_max, exit); }
+  MASU_HD Real farthest() const { return t_max; }
+  MASU_HD bool ends() const { return found(); }
 #ifdef MASU_HOST_AVX2
   void met(Real t, PrimitiveIndex) requires tests_triangles_in_lanes<M, Stored> {
     if (t > t_min && t < t_max) hit = t;
   }
 #endif
-  MASU_HD bool found() const {
-    return hit < t_max;
-  }
-  MASU_HD bool done(Real exit) const {
-    return can_terminate<Query::occlusion>(hit, t_max, exit);
-  }
-  MASU_HD Real farthest() const {
-    return t_max;
-  }
-  MASU_HD bool ends() const {
-    return found();
-  }
 };
 
 // Shows the visitor what is listed for the cell that the ray is in, and goes on to the next; false at the
@@ -197,9 +190,86 @@ MASU_HD inline void visit(const NoStructure&, const ClippedRay<Real>&, std::uint
     visitor.primitive(i);
 }
 
+// Through a hierarchy, by the walk that suits it (walks_in_use.h).
+template <class Real, class Visitor>
+MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay<Real>& near, std::uint32_t,
+                          Visitor& visitor) {
+#ifdef MASU_HOST_AVX2
+  if constexpr (walks_in_use::nearest_first && !std::decay_t<decltype(visitor.counts)>::is_counted) {
+    // Boxes are met in the arithmetic in which the scene is stored, of which they have the margin. That holds
+    // for rays in float64, too, of which hits need next to nothing of it: rounding the ray's origin to
+    // float32 moves it by u M, to which the distances of planes add their 14 u M: far less than 128.
+    using Stored = std::remove_cvref_t<decltype(visitor.scene.triangles->a.x)>;
+    NearestFirstWalk<Stored> walk(visitor.ray.origin, bounded_inverse(near));
+    while (walk.advance(hierarchy, visitor)) {
+    }
+    return;
+  }
+#endif
+  walk_hierarchy(hierarchy, near, visitor);
+}
+template <class Real, class Stored, class Visitor>
+MASU_HD inline void visit(const LeafHierarchyView<Real, Stored>& hierarchy, const ClippedRay<Real>& near,
+                          std::uint32_t, Visitor& visitor) {
+  walk_hierarchy(hierarchy, near, visitor);
+}
+
+// A grid, a hierarchy or none, known when it is traced: for what is compared with, not for speed. One kernel
+// of each kind serves all of them, and both rules by which a search ends.
+enum class StructureForm { none, uniform, merged, hierarchy };
+
+// Hierarchy: HierarchyView, or on a GPU LeafHierarchyView.
+template <class Real, class Hierarchy = HierarchyView<Real>>
+struct AnyStructure {
+  StructureForm form = StructureForm::none;
+  StopRule stop = StopRule::proven; // with a grid of cells; anything else is proven
+  GridView<Real> uniform{};
+  MergedGridView<Real> merged{};
+  Hierarchy hierarchy{};
+};
+
+inline StructureForm form_of(const StructureRecords& structure) {
+  return structure.is_hierarchy ? StructureForm::hierarchy
+         : structure.is_merged  ? StructureForm::merged
+                                : StructureForm::uniform;
+}
+template <class Real>
+AnyStructure<Real> any_structure(const StructureRecords& structure) {
+  AnyStructure<Real> any{form_of(structure)};
+  if (any.form == StructureForm::uniform) any.uniform = view_of<Real>(structure);
+  if (any.form == StructureForm::merged) any.merged = merged_view_of<Real>(structure);
+  if (any.form == StructureForm::hierarchy) any.hierarchy = hierarchy_view_of<Real>(structure);
+  return any;
+}
+
+template <class View>
+inline constexpr bool is_any_structure = false;
+template <class Real, class Hierarchy>
+inline constexpr bool is_any_structure<AnyStructure<Real, Hierarchy>> = true;
+
+template <class Real, class Hierarchy>
+MASU_HD inline StopRule stop_rule(const AnyStructure<Real, Hierarchy>& any) {
+  return any.form == StructureForm::hierarchy ? StopRule::proven : any.stop;
+}
+
+template <class Real, class Hierarchy, class Visitor>
+MASU_HD inline void visit(const AnyStructure<Real, Hierarchy>& any, const ClippedRay<Real>& near,
+                          std::uint32_t primitives, Visitor& visitor) {
+  switch (any.form) {
+  case StructureForm::none:
+    return visit(NoStructure{}, near, primitives, visitor);
+  case StructureForm::uniform:
+    return visit(any.uniform, near, primitives, visitor);
+  case StructureForm::merged:
+    return visit(any.merged, near, primitives, visitor);
+  case StructureForm::hierarchy:
+    return visit(any.hierarchy, near, primitives, visitor);
+  }
+}
+
 // The nearest hit at t_min < t < t_max, as of the ray from where it enters the scene's bounds: there t has
 // the most digits. Structure: GridView<Real>, MergedGridView<Real>, HierarchyView<Real>, NoStructure or
-// AnyStructure<Real> (any_structure.h); M: a Method.
+// AnyStructure<Real>; M: a Method.
 template <class M, class Stored, class Structure, class Counts>
 MASU_HD inline NearHit<typename M::TestRay>
 nearest_hit_near(const SceneView<Stored>& scene, const Structure& structure, const Ray<typename M::Real>& ray,

@@ -139,8 +139,7 @@ inline UndividedCluster undivided(const WindingCluster& cluster, std::uint32_t n
   const Vec3d away = cluster.centroid - place;
   const double d = length(away), off = d - cluster.radius, most = cluster.triangles / 2;
   const double square = off * off, rest = 3 / full_solid_angle * cluster.second / (square * square);
-  constexpr double units = 0x1p32;
-  const auto rounded_up = [](double bound) { return static_cast<std::uint64_t>(std::ceil(bound * units)); };
+  const auto rounded_up = [](double bound) { return static_cast<std::uint64_t>(std::ceil(bound * 0x1p32)); };
   if (!(off > 0 && rest < most)) return {rounded_up(most), 0, node};
   const Vec3d along = away * (1 / d);
   const Vec3d(&m)[3] = cluster.moment;
@@ -188,12 +187,6 @@ double winding_number(const SceneView<Stored>& scene, const HierarchyView<Stored
         [&](PrimitiveIndex number) { value += winding_of(scene.triangles[number], place); });
   }
   return value;
-}
-// By all triangles.
-template <class Stored>
-double winding_number(const SceneView<Stored>& scene, const Vec3d& place) {
-  std::vector<UndividedCluster> none;
-  return winding_number(scene, HierarchyView<Stored>{}, {}, place, 0, false, none);
 }
 
 } // namespace masu

@@ -33,4 +33,9 @@ private:
   std::string place_, message_, text_;
 };
 
+// Of an argument.
+[[noreturn]] inline void fail(const char* place, const std::string& what) {
+  throw Error(ErrorCode::usage, place, what);
+}
+
 } // namespace masu

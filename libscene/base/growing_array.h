@@ -11,7 +11,6 @@
 #include <memory>
 #include <new>
 #include <span>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -29,11 +28,7 @@ public:
   GrowingArray(std::initializer_list<T> values) { append(values); }
   GrowingArray(const GrowingArray& other) { append(other); }
   GrowingArray(GrowingArray&& other) noexcept { swap(other); }
-  GrowingArray& operator=(const GrowingArray& other) {
-    GrowingArray copy(other);
-    swap(copy);
-    return *this;
-  }
+  GrowingArray& operator=(const GrowingArray& other) { return *this = GrowingArray(other); }
   GrowingArray& operator=(GrowingArray&& other) noexcept {
     GrowingArray moved(std::move(other));
     swap(moved);
@@ -51,12 +46,6 @@ public:
   const T* end() const { return data_ + size_; }
   T& operator[](std::size_t i) { return data_[i]; }
   const T& operator[](std::size_t i) const { return data_[i]; }
-  const T& at(std::size_t i) const {
-    if (i >= size_) throw std::out_of_range("GrowingArray::at");
-    return data_[i];
-  }
-  T& front() { return data_[0]; }
-  const T& front() const { return data_[0]; }
   T& back() { return data_[size_ - 1]; }
   const T& back() const { return data_[size_ - 1]; }
 

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <memory>
 #include <new>
-#include <utility>
 #include <vector>
 
 namespace masu {
@@ -20,10 +19,6 @@ inline constexpr std::size_t large_array = 2 * huge_page; // in bytes
 // Constructs without a value what would else be set to zero.
 template <class T>
 struct DefaultInitAllocator : std::allocator<T> {
-  template <class U>
-  struct rebind {
-    using other = DefaultInitAllocator<U>;
-  };
   using std::allocator<T>::allocator;
   static constexpr auto alignment = std::align_val_t{std::max<std::size_t>(64, alignof(T))}; // a cache line
   T* allocate(std::size_t count) {
@@ -36,13 +31,9 @@ struct DefaultInitAllocator : std::allocator<T> {
     else
       unmap_huge_pages(place, count * sizeof(T));
   }
-  template <class U, class... Arguments>
-  void construct(U* place, Arguments&&... arguments) {
-    if constexpr (sizeof...(Arguments) == 0) {
-      ::new (static_cast<void*>(place)) U;
-    } else {
-      ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
-    }
+  template <class U>
+  void construct(U* place) {
+    ::new (static_cast<void*>(place)) U;
   }
 };
 

@@ -27,21 +27,15 @@ bool is_control(std::uint32_t code) {
          (code >= 0x2066 && code <= 0x2069);
 }
 
-namespace {
-
-// U+FFFE, U+FFFF and their like, which XML and Cairo refuse.
-bool is_noncharacter(std::uint32_t code) {
-  return (code & 0xfffe) == 0xfffe || (code >= 0xfdd0 && code < 0xfdf0);
-}
-
-} // namespace
-
 std::string printable(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const TextCharacter next = first_of(text);
     const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
-    if (next.bytes > 0 && !is_control(next.code) && !is_noncharacter(next.code)) {
+    // U+FFFE, U+FFFF and their like, which XML and Cairo refuse.
+    const bool is_noncharacter =
+        (next.code & 0xfffe) == 0xfffe || (next.code >= 0xfdd0 && next.code < 0xfdf0);
+    if (next.bytes > 0 && !is_control(next.code) && !is_noncharacter) {
       result += text.substr(0, bytes);
     } else {
       for (const char c : text.substr(0, bytes))

@@ -1,9 +1,8 @@
-// RAII over the CUDA runtime: checked calls, launches (in CUDA sources), device arrays, pinned memory, a
-// timer.
+// RAII over the CUDA runtime: checked calls, the current device, launches (in CUDA sources), device arrays,
+// pinned memory, a timer.
 #pragma once
 
 #include "libscene/base/error.h"
-#include "libscene/cuda/device_scope.h"
 
 #include <cuda_runtime.h>
 
@@ -33,6 +32,28 @@ inline cudaPointerAttributes attributes_of(const void* pointer) {
   if (cudaPointerGetAttributes(&attributes, pointer) == cudaSuccess) return attributes;
   static_cast<void>(cudaGetLastError()); // older drivers call unknown memory an error
   return {};
+}
+
+// Makes a device the thread's current one, and leaves the thread as it was: with the context that it had, or
+// with none, for to set the device before again would open a context on a GPU that the host program may never
+// use. Throws Error(device).
+class DeviceScope {
+public:
+  explicit DeviceScope(int device);
+  ~DeviceScope();
+  DeviceScope(const DeviceScope&) = delete;
+  DeviceScope& operator=(const DeviceScope&) = delete;
+};
+
+// Calls act() with the device current, where it can be: for destructors. What act() doesn't give back is lost
+// with the device.
+template <class Act>
+void on_device_if_possible(int device, const Act& act) noexcept {
+  try {
+    const DeviceScope scope(device);
+    act();
+  } catch (...) { // there is nobody to tell
+  }
 }
 
 // Memory of the current device that is given back to the pool, not to the device, until the pool is
@@ -221,6 +242,13 @@ private:
   cudaEvent_t event_ = nullptr;
 };
 
+// Of events that have been reached.
+inline double seconds_between(cudaEvent_t first, cudaEvent_t second) {
+  float milliseconds = 0;
+  check(cudaEventElapsedTime(&milliseconds, first, second));
+  return static_cast<double>(milliseconds) * 1e-3;
+}
+
 // Time on a stream since construction.
 class DeviceTimer {
 public:
@@ -234,9 +262,7 @@ public:
   double seconds() const {
     check(cudaEventRecord(stop_, stream_));
     check(cudaEventSynchronize(stop_));
-    float milliseconds = 0;
-    check(cudaEventElapsedTime(&milliseconds, start_, stop_));
-    return static_cast<double>(milliseconds) * 1e-3;
+    return seconds_between(start_, stop_);
   }
 
 private:

@@ -1,5 +1,3 @@
-#include "libscene/cuda/device_scope.h"
-
 #include "libscene/cuda/device_memory.h"
 
 #include <cuda.h>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 namespace masu {
 namespace {
@@ -46,8 +47,8 @@ private:
   DeviceArray<std::uint8_t> room_;
 };
 
-// The staging buffers of one thread, parts of page-locked memory. Uploads alternate: one buffer is
-// transferred while the other is filled.
+// The staging buffers of one thread, parts of memory that should be page-locked. Uploads alternate: one
+// buffer is transferred while the other is filled.
 class StagingBuffers {
 public:
   StagingBuffers(std::span<std::uint8_t> memory, cudaMemPool_t pool) : part_(memory.size() / 2), pool_(pool) {
@@ -100,29 +101,6 @@ struct StagingOfThreads {
 
 namespace {
 
-// Pageable memory, for little.
-class PlainBuffer {
-public:
-  explicit PlainBuffer(cudaMemPool_t pool) : pool_(pool) {}
-  static constexpr std::size_t part() { return part_bytes; }
-
-  void upload(const Upload& part, const Fill& fill) {
-    buffer_.resize(part.bytes);
-    fill(buffer_);
-    placed_.upload(part, {nullptr, pool_}, [&](void* to) {
-      check(cudaMemcpy(to, buffer_.data(), part.bytes, cudaMemcpyHostToDevice));
-    });
-  }
-  void download(void* host, const void* device, std::size_t bytes) {
-    check(cudaMemcpy(host, device, bytes, cudaMemcpyDeviceToHost));
-  }
-
-private:
-  std::vector<std::uint8_t> buffer_;
-  PlacedPart placed_;
-  cudaMemPool_t pool_;
-};
-
 std::uint8_t* moved_by(const void* pointer, std::size_t offset) {
   return static_cast<std::uint8_t*>(const_cast<void*>(pointer)) + offset;
 }
@@ -145,37 +123,37 @@ void Transfer::run() {
     for (std::uint64_t i = 0; i * SectionReader::piece_bytes < copy.bytes; ++i)
       pieces.push_back({&copy, i});
   }
-  const auto make = [](const Piece& piece, auto& buffers) {
+  const auto make = [](const Piece& piece, StagingBuffers& buffers) {
     const Copy& copy = *piece.copy;
-    if (copy.section != nullptr) {
-      copy.section->read_piece(piece.i, buffers.part(),
-                               [&](std::uint64_t offset, std::size_t bytes, const Fill& fill) {
-                                 buffers.upload({moved_by(copy.to, offset), offset, bytes, copy.place}, fill);
-                               });
-      return;
-    }
+    const auto upload = [&](std::uint64_t offset, std::size_t bytes, const Fill& fill) {
+      buffers.upload({moved_by(copy.to, offset), offset, bytes, copy.place}, fill);
+    };
+    if (copy.section != nullptr) return copy.section->read_piece(piece.i, buffers.part(), upload);
     const std::uint64_t end = std::min<std::uint64_t>((piece.i + 1) * SectionReader::piece_bytes, copy.bytes);
     for (std::uint64_t offset = piece.i * SectionReader::piece_bytes; offset < end;
          offset += buffers.part()) {
       const std::size_t bytes = std::min<std::uint64_t>(buffers.part(), end - offset);
+      const auto* const from = moved_by(copy.from, offset);
       if (copy.direction == cudaMemcpyDeviceToHost)
-        buffers.download(moved_by(copy.to, offset), moved_by(copy.from, offset), bytes);
+        buffers.download(moved_by(copy.to, offset), from, bytes);
       else
-        buffers.upload(
-            {moved_by(copy.to, offset), offset, bytes, copy.place},
-            [&](std::span<std::uint8_t> to) { std::memcpy(to.data(), moved_by(copy.from, offset), bytes); });
+        upload(offset, bytes, [&](std::span<std::uint8_t> to) { std::memcpy(to.data(), from, bytes); });
     }
   };
   const DeviceScope device(device_);
   check(cudaDeviceSynchronize());
   if (total < min_pinned_bytes && staging_ == nullptr) {
-    PlainBuffer buffer(pool_);
+    HostBytes pageable; // for little
+    std::optional<StagingBuffers> buffers;
     for (const Piece& piece : pieces) {
       const Copy& copy = *piece.copy;
-      if (copy.section != nullptr || copy.place != nullptr)
-        make(piece, buffer);
-      else if (piece.i == 0) // all at once
+      if (copy.section != nullptr || copy.place != nullptr) {
+        pageable.resize(2 * part_bytes);
+        if (!buffers) buffers.emplace(pageable, pool_);
+        make(piece, *buffers);
+      } else if (piece.i == 0) { // all at once
         check(cudaMemcpy(copy.to, copy.from, copy.bytes, copy.direction));
+      }
     }
   } else {
     if (staging_ == nullptr)

@@ -20,26 +20,19 @@ class Transfer {
 public:
   // Of the current device. `pool`: of the arrays' memory; null for the device's own.
   explicit Transfer(cudaMemPool_t pool = nullptr);
-  void to_device(void* device, const void* host, std::size_t bytes) {
-    if (bytes > 0) copies_.push_back({device, host, bytes, cudaMemcpyHostToDevice, nullptr});
-  }
-  // Part by part, each of which lies on the device until `place` has queued there what takes it to where it
-  // belongs.
+  // Where `place` is given, part by part, each of which lies on the device until `place` has queued there
+  // what takes it to where it belongs.
   using Place = std::function<void(const void* part, std::uint64_t offset, std::size_t bytes, cudaStream_t)>;
-  void to_device(Place place, const void* host, std::size_t bytes) {
+  void to_device(void* device, const void* host, std::size_t bytes, Place place = {}) {
     if (bytes > 0)
-      copies_.push_back({nullptr, host, bytes, cudaMemcpyHostToDevice, nullptr, std::move(place)});
+      copies_.push_back({device, host, bytes, cudaMemcpyHostToDevice, nullptr, std::move(place)});
   }
-  void to_device(Place place, SectionReader section) {
-    to_device(nullptr, std::move(section));
-    copies_.back().place = std::move(place);
+  void to_device(void* device, SectionReader section, Place place = {}) {
+    auto owned = std::make_shared<SectionReader>(std::move(section));
+    copies_.push_back({device, nullptr, owned->bytes(), cudaMemcpyHostToDevice, owned, std::move(place)});
   }
   void to_host(void* host, const void* device, std::size_t bytes) {
     if (bytes > 0) copies_.push_back({host, device, bytes, cudaMemcpyDeviceToHost, nullptr});
-  }
-  void to_device(void* device, SectionReader section) {
-    auto owned = std::make_shared<SectionReader>(std::move(section));
-    copies_.push_back({device, nullptr, owned->bytes(), cudaMemcpyHostToDevice, owned});
   }
   // A device array for so many records; `room` more follow them, all zero.
   template <class T>
@@ -67,6 +60,26 @@ private:
   int device_ = 0;
   cudaMemPool_t pool_ = nullptr;
 };
+
+// Adds the upload of `count` records, which point to the device's from now on; `room` more follow them, all
+// zero.
+template <class T>
+DeviceArray<T> uploaded(const T*& records, std::uint64_t count, Transfer& upload, std::size_t room = 0) {
+  DeviceArray<T> array = upload.room_for<T>(count, room);
+  upload.to_device(array.data(), records, count * sizeof(T));
+  records = array.data();
+  return array;
+}
+// The same of a file's section, which isn't in memory where `records` are null.
+template <class T, class File, class Section>
+DeviceArray<T> uploaded(const File& file, Section section, const T*& records, std::uint64_t count,
+                        Transfer& upload, std::size_t room = 0) {
+  if (records != nullptr || count == 0) return uploaded(records, count, upload, room);
+  DeviceArray<T> array = upload.room_for<T>(count, room);
+  upload.to_device(array.data(), file.template reader<T>(section));
+  records = array.data();
+  return array;
+}
 
 // From host memory to host memory with many threads: one doesn't copy as fast as the bus does.
 void copy_in_parallel(void* to, const void* from, std::size_t bytes);

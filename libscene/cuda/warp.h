@@ -14,9 +14,9 @@ __device__ inline unsigned rank_among(unsigned lanes, unsigned lane) {
   return static_cast<unsigned>(__popc(lanes & ((1U << lane) - 1)));
 }
 
-// A lane's value, of a type that is made of words, to all lanes.
+// A lane's value, of a type that is made of words, to all of `lanes`: each `width` of them have their own.
 template <class T>
-__device__ inline T from_lane(const T& value, int lane) {
+__device__ inline T from_lane(const T& value, int lane, unsigned lanes = all_lanes, int width = 32) {
   struct Words {
     std::uint32_t words[sizeof(T) / 4];
   };
@@ -24,7 +24,7 @@ __device__ inline T from_lane(const T& value, int lane) {
   Words moved = __builtin_bit_cast(Words, value);
 #pragma unroll
   for (std::uint32_t& word : moved.words)
-    word = __shfl_sync(all_lanes, word, lane);
+    word = __shfl_sync(lanes, word, lane, width);
   return __builtin_bit_cast(T, moved);
 }
 

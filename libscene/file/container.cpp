@@ -9,10 +9,8 @@
 #include <tbb/task_arena.h>
 #include <xxhash.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
-#include <memory>
 #include <new>
 
 static_assert(std::endian::native == std::endian::little,

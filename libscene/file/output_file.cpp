@@ -116,10 +116,6 @@ OutputFile::OutputFile(std::string path, UntilCommit until_commit) : path_(std::
   fail("can't be created");
 }
 
-OutputFile::~OutputFile() {
-  close_all();
-}
-
 // Returns -1 and sets errno when it fails.
 int OutputFile::open_in_folder(UntilCommit until_commit) {
   const std::filesystem::path target = followed(path_);
@@ -145,10 +141,6 @@ int OutputFile::open_unnamed() const {
   if (file < 0 || access(fmt::format("/proc/self/fd/{}", file).c_str(), F_OK) == 0) return file;
   close(file);
   return -1;
-}
-
-void OutputFile::write(std::span<const std::uint8_t> bytes) {
-  write(bytes.data(), bytes.size());
 }
 
 void OutputFile::write(const void* data, std::size_t bytes) {

@@ -29,11 +29,11 @@ class OutputFile {
 public:
   // Throws Error(output, path, …): no such folder, a directory, no permission.
   explicit OutputFile(std::string path, UntilCommit until_commit = UntilCommit::unnamed);
-  ~OutputFile();
+  ~OutputFile() { close_all(); }
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  void write(std::span<const std::uint8_t> bytes);
+  void write(std::span<const std::uint8_t> bytes) { write(bytes.data(), bytes.size()); }
   void write(const void* data, std::size_t bytes);
   // The next write replaces the first bytes.
   void rewind();

@@ -19,31 +19,6 @@ std::uint32_t number(fb::SceneSection section) {
   return static_cast<std::uint32_t>(section);
 }
 
-template <class To>
-Triangle<To> converted(const SceneTriangle& t) {
-  return {cast<To>(t.a), t.object, cast<To>(t.b), t.material, cast<To>(t.c), t.normals};
-}
-template <class To>
-Box<To> converted(const Boxd& box) {
-  return cast<To>(box);
-}
-template <class To>
-CornerNormals<To> converted(const CornerNormals<double>& n) {
-  return {cast<To>(n.a), cast<To>(n.b), cast<To>(n.c)};
-}
-template <class To>
-Sphere<To> converted(const Sphere<double>& s) {
-  return {cast<To>(s.center), static_cast<To>(s.radius)};
-}
-template <class To>
-Cone<To> converted(const Cone<double>& c) {
-  return {cast<To>(c.base), static_cast<To>(c.base_radius), cast<To>(c.apex), static_cast<To>(c.apex_radius)};
-}
-template <class To>
-Light<To> converted(const Light<double>& l) {
-  return {cast<To>(l.position), cast<To>(l.intensity)};
-}
-
 // Of what `stored` makes of the records.
 template <class Scene, class AsStored>
 Boxd bounds_of(const Scene& scene, const AsStored& stored) {
@@ -107,9 +82,9 @@ auto with_sections(const SceneOf<Triangles>& scene, const std::shared_ptr<const 
   // Records are converted when they are needed: another copy of them all could be too large.
   const auto stored = [origin](const auto& record) {
     if constexpr (std::is_same_v<std::decay_t<decltype(record)>, CornerNormals<double>>)
-      return converted<Stored>(record);
+      return cast<Stored>(record);
     else
-      return converted<Stored>(relative_to(origin, record));
+      return cast<Stored>(widened(relative_to(origin, record)));
   };
   const auto section = [](fb::SceneSection kind, const auto& records) {
     return section_data(number(kind), std::span(records));
@@ -203,6 +178,29 @@ Boxd bounds(const SceneOf<Triangles>& scene) {
 template Boxd bounds(const Scene&);
 template Boxd bounds(const ArrayScene&);
 
+Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds, const fb::Vec3& origin) {
+  using fb::SceneSection;
+  struct Entry {
+    std::uint32_t kind = 0, record_bytes = 0;
+    std::uint64_t count = 0;
+    fb::Hash hash;
+  };
+  static_assert(sizeof(fb::Box) == 48 && sizeof(Entry) == 32); // without gaps
+  std::vector<std::uint8_t> bytes;
+  const auto append = [&](const auto& record) {
+    const auto* const begin = reinterpret_cast<const std::uint8_t*>(&record);
+    bytes.insert(bytes.end(), begin, begin + sizeof record);
+  };
+  append(bounds);
+  if (!(vector_of(origin) == Vec3d{0, 0, 0})) append(origin);
+  for (const fb::Section& s : sections) {
+    const auto kind = static_cast<SceneSection>(s.kind());
+    if (kind == SceneSection::triangles || kind == SceneSection::spheres || kind == SceneSection::cones)
+      append(Entry{s.kind(), s.record_bytes(), s.count(), s.hash()});
+  }
+  return hash_of(bytes);
+}
+
 template <class Triangles>
 Hash write_scene(const SceneOf<Triangles>& scene, Store store, const std::string& path,
                  const std::optional<Vec3d>& wanted) {
@@ -237,17 +235,6 @@ template SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3
 template SceneFile scene_in_memory(const ArrayScene&, Store, const std::optional<Vec3d>&,
                                    const ProgressMonitor*);
 
-namespace {
-
-// Whether bounds are in the store's range, or exactly those of no primitive.
-template <class Stored>
-bool are_possible(const Boxd& box) {
-  return is_empty(box) ? box.min == empty_box<double>().min && box.max == empty_box<double>().max
-                       : reaches_within<Stored>(box);
-}
-
-} // namespace
-
 SceneFile::SceneFile(const std::string& path, Residence residence)
     : SceneFile(ContainerFile(path, scene_file_kind, residence)) {}
 
@@ -260,8 +247,10 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
             camera.angle() < 180 && camera.width() > 0 && camera.height() > 0 && camera.width() <= 65536 &&
             camera.height() <= 65536 && std::isfinite(camera.hither()) && has_direction(camera),
         "its camera is invalid");
-  check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
-        "its bounds are invalid");
+  // In the store's range, or exactly those of no primitive.
+  const Boxd box = bounds(), none = empty_box<double>();
+  const bool reaches = is_float64() ? reaches_within<double>(box) : reaches_within<float>(box);
+  check(is_empty(box) ? box.min == none.min && box.max == none.max : reaches, "its bounds are invalid");
   read_sections(sections());
 
   const fb::ObjectCounts& counted = *table_->objects();
@@ -296,22 +285,10 @@ SceneCounts SceneFile::counts() const {
           is_float64() ? normals(0.0) : normals(0.0F), count<Material>(fb::SceneSection::materials)};
 }
 
-Vec3d SceneFile::origin() const {
-  return vector_of(*table_->origin());
-}
-
 Camera SceneFile::camera() const {
   const fb::Camera& c = *table_->camera();
   return {vector_of(c.from()), vector_of(c.at()), vector_of(c.up()), c.angle(),
           c.hither(),          c.width(),         c.height()};
-}
-
-Boxd SceneFile::bounds() const {
-  return box_of(*table_->bounds());
-}
-
-bool SceneFile::has_faces() const {
-  return count<std::uint32_t>(fb::SceneSection::faces) > 0;
 }
 
 std::uint64_t SceneFile::primitive_count() const {

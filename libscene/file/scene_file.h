@@ -76,16 +76,16 @@ public:
 
   Hash geometry_hash() const;
   std::uint64_t primitive_count() const;
-  Vec3d origin() const;  // local_origin.h
-  Camera camera() const; // in the world
+  Vec3d origin() const { return vector_of(*table_->origin()); } // local_origin.h
+  Camera camera() const;                                        // in the world
   // Of all primitives, relative to the origin; empty where there is none.
-  Boxd bounds() const;
+  Boxd bounds() const { return box_of(*table_->bounds()); }
   bool is_float64() const { return table_->store() == fb::Store::float64; }
 
   SceneCounts counts() const;
   SceneGeometry geometry() const { return {bounds(), geometry_hash(), origin()}; }
   // Whether triangles have other numbers of faces than their own.
-  bool has_faces() const;
+  bool has_faces() const { return count<std::uint32_t>(fb::SceneSection::faces) > 0; }
 
   // The same scene with other triangles, as many, where it is in memory. `bounds`: of all its primitives
   // then.

@@ -92,12 +92,6 @@ MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray
   }
   return false;
 }
-template <unsigned kinds, class TestRay, class Stored, class Counts>
-MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
-                              const typename TestRay::Real& t_min, typename TestRay::Real& t,
-                              Counts& counts) {
-  return intersect<kinds>(scene, ray, primitive, SceneRecord<Stored>{scene, primitive}, t_min, t, counts);
-}
 
 template <class Stored>
 MASU_HD inline Surface surface_of(const SceneView<Stored>& scene, PrimitiveIndex primitive) {

@@ -6,6 +6,8 @@
 
 #include "libscene/geometry/box.h"
 
+#include <type_traits>
+
 namespace masu {
 
 using PrimitiveIndex = std::uint32_t;
@@ -21,23 +23,12 @@ struct Surface {
 
 inline constexpr std::uint32_t no_normals = 0xffffffffU;
 
-// Stored: the coordinates' type. A tag pads each vertex to a 16-byte (float) or 32-byte (double) load.
-template <class Stored>
-struct TagOf;
-template <>
-struct TagOf<float> {
-  using type = std::uint32_t;
-};
-template <>
-struct TagOf<double> {
-  using type = std::uint64_t;
-};
-
 // a, b, c are counter-clockwise seen from the front. `normals`: index among the scene's corner normals, or
-// no_normals for a flat triangle.
+// no_normals for a flat triangle. Stored: the coordinates' type. A tag pads each vertex to a 16-byte (float)
+// or 32-byte (double) load.
 template <class Stored>
 struct alignas(16) Triangle {
-  using Tag = typename TagOf<Stored>::type;
+  using Tag = std::conditional_t<sizeof(Stored) == sizeof(float), std::uint32_t, std::uint64_t>;
   Vec3<Stored> a;
   Tag object;
   Vec3<Stored> b;
@@ -71,7 +62,7 @@ struct CornerNormals {
 };
 
 // Whether there is anything to hit. A triangle whose corners are one point has no surface: it keeps the
-// number of a face that can't be hit (libscene/mesh/points.h), and is in no cell.
+// number of a face that can't be hit (libscene/mesh/triangle_area.h), and is in no cell.
 template <class Stored>
 MASU_HD inline bool has_surface(const Triangle<Stored>& t) {
   return !(t.a == t.b && t.b == t.c);
@@ -105,19 +96,29 @@ MASU_HD inline Box<T> bounds(const Sphere<T>& s) {
   return grown(Box<T>{s.center, s.center}, std::abs(s.radius));
 }
 
-// The same in double, exactly.
-template <class T>
-MASU_HD inline Triangle<double> widened(const Triangle<T>& t) {
-  return {cast<double>(t.a), t.object, cast<double>(t.b), t.material, cast<double>(t.c), t.normals};
+// The same with coordinates of another type.
+template <class To, class From>
+MASU_HD inline Triangle<To> cast(const Triangle<From>& t) {
+  using Tag = typename Triangle<To>::Tag;
+  return {cast<To>(t.a), static_cast<Tag>(t.object), cast<To>(t.b), static_cast<Tag>(t.material),
+          cast<To>(t.c), static_cast<Tag>(t.normals)};
 }
-template <class T>
-MASU_HD inline Sphere<double> widened(const Sphere<T>& s) {
-  return {cast<double>(s.center), static_cast<double>(s.radius)};
+template <class To, class From>
+MASU_HD inline Sphere<To> cast(const Sphere<From>& s) {
+  return {cast<To>(s.center), static_cast<To>(s.radius)};
 }
-template <class T>
-MASU_HD inline Cone<double> widened(const Cone<T>& c) {
-  return {cast<double>(c.base), static_cast<double>(c.base_radius), cast<double>(c.apex),
-          static_cast<double>(c.apex_radius)};
+template <class To, class From>
+MASU_HD inline Cone<To> cast(const Cone<From>& c) {
+  return {cast<To>(c.base), static_cast<To>(c.base_radius), cast<To>(c.apex), static_cast<To>(c.apex_radius)};
+}
+template <class To, class From>
+MASU_HD inline CornerNormals<To> cast(const CornerNormals<From>& n) {
+  return {cast<To>(n.a), cast<To>(n.b), cast<To>(n.c)};
+}
+// In double, exactly.
+template <template <class> class Record, class T>
+MASU_HD inline Record<double> widened(const Record<T>& record) {
+  return cast<double>(record);
 }
 
 } // namespace masu

@@ -51,9 +51,6 @@ MASU_ALWAYS_INLINE float float_of(std::uint32_t bits) {
 MASU_ALWAYS_INLINE std::uint64_t bits_of(double value) {
   return __builtin_bit_cast(std::uint64_t, value);
 }
-MASU_ALWAYS_INLINE double double_of(std::uint64_t bits) {
-  return __builtin_bit_cast(double, bits);
-}
 
 // The next number above or below one that isn't negative; of 0 there is none below.
 template <class Real>
@@ -114,19 +111,15 @@ MASU_ALWAYS_INLINE void keep([[maybe_unused]] double& value) {
 
 // Rounded towards zero. Beyond ±2^30 the result is only known to be at least that large, since the device
 // saturates later; NaN gives 0, as on the device.
-MASU_ALWAYS_INLINE std::int32_t truncated(float v) {
+template <class Real>
+MASU_ALWAYS_INLINE std::int32_t truncated(Real v) {
 #ifdef __CUDA_ARCH__
-  return __float2int_rz(v);
+  if constexpr (sizeof(Real) == sizeof(float))
+    return __float2int_rz(v);
+  else
+    return __double2int_rz(v);
 #else
-  constexpr float limit = 0x1p30F;
-  return v != v ? 0 : static_cast<std::int32_t>(v < -limit ? -limit : v > limit ? limit : v);
-#endif
-}
-MASU_ALWAYS_INLINE std::int32_t truncated(double v) {
-#ifdef __CUDA_ARCH__
-  return __double2int_rz(v);
-#else
-  constexpr double limit = 0x1p30;
+  constexpr Real limit = 0x1p30F;
   return v != v ? 0 : static_cast<std::int32_t>(v < -limit ? -limit : v > limit ? limit : v);
 #endif
 }
@@ -143,7 +136,7 @@ MASU_ALWAYS_INLINE float inverse_power_of_two(float magnitude) {
 MASU_ALWAYS_INLINE double inverse_power_of_two(double magnitude) {
   const auto exponent = static_cast<std::int64_t>(bits_of(magnitude) >> 52 & 0x7ff);
   const std::int64_t inverse = 2046 - (exponent < 1 ? 1 : exponent > 2045 ? 2045 : exponent);
-  return double_of(static_cast<std::uint64_t>(inverse) << 52);
+  return __builtin_bit_cast(double, static_cast<std::uint64_t>(inverse) << 52);
 }
 
 // The largest float that isn't above a number, and the smallest that isn't below it. Beyond all floats the

@@ -209,10 +209,5 @@ MASU_HD inline NearHit<WatertightRay<Real>> hit_again(const SceneView<Stored>& s
     near.hit.t = t;
   return near;
 }
-template <class Real, class Stored>
-MASU_HD inline NearHit<WatertightRay<Real>> hit_again(const SceneView<Stored>& scene, const Ray<Real>& ray,
-                                                      const Hit<Real>& hit) {
-  return hit_again(scene, ray, hit, [&] { return leaf_of(scene, hit.primitive); });
-}
 
 } // namespace masu

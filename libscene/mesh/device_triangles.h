@@ -1,7 +1,7 @@
 // Triangles of meshes made on a CUDA device: a third of their bytes is uploaded. CUDA sources only.
 #pragma once
 
-#include "libscene/cuda/device_records.h"
+#include "libscene/cuda/transfer.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "libscene/mesh/stored_triangles.h"
 

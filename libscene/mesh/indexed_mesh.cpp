@@ -3,13 +3,11 @@
 #include "libscene/automatic_camera.h"
 #include "libscene/base/error.h"
 #include "libscene/base/parallel.h"
-#include "libscene/mesh/points.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 namespace masu {
 namespace {

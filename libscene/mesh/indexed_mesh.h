@@ -25,8 +25,8 @@ struct IndexedMesh {
 };
 
 // Triangles in the order of meshes and indices, all of them: one of which two corners coincide keeps its
-// number, and can't be hit (points.h). They are made when they are asked for, from a copy of the meshes'
-// arrays in one list, which copies of this share.
+// number, and can't be hit (triangle_area.h). They are made when they are asked for, from a copy of the
+// meshes' arrays in one list, which copies of this share.
 class MeshTriangles {
 public:
   using Indices = HostArray<std::uint32_t>;

@@ -7,7 +7,6 @@
 
 #include "libscene/base/error.h"
 #include "libscene/file/scene_file.h"
-#include "libscene/mesh/points.h"
 #include "libscene/mesh/stored_triangles.h"
 #include "libscene/passes/passes.h"
 #include "libscene/scene_view.h"

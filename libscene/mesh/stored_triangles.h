@@ -1,10 +1,10 @@
 // Triangles of a scene as they are stored, made of vertices in the world, by host and device alike.
 #pragma once
 
-#include "libscene/geometry/primitives.h"
 #include "libscene/local_origin.h"
 #include "libscene/mesh/triangle_area.h"
 #include "libscene/passes/executor.h"
+#include "libscene/scene_view.h"
 
 namespace masu {
 
@@ -31,10 +31,8 @@ MASU_HD Vec3<Stored> stored_point(const Vec3d& origin, const Vec3d& point) {
 }
 template <class Stored>
 MASU_HD Triangle<Stored> stored_triangle(const Vec3d& origin, const Triangle<double>& face) {
-  using Tag = typename Triangle<Stored>::Tag;
-  return {stored_point<Stored>(origin, face.a), static_cast<Tag>(face.object),
-          stored_point<Stored>(origin, face.b), static_cast<Tag>(face.material),
-          stored_point<Stored>(origin, face.c), static_cast<Tag>(face.normals)};
+  return cast<Stored>(Triangle<double>{relative_to(origin, face.a), face.object, relative_to(origin, face.b),
+                                       face.material, relative_to(origin, face.c), face.normals});
 }
 
 // Of meshes whose arrays follow one another (MeshTriangles, indexed_mesh.h), as they are stored.
@@ -53,5 +51,27 @@ struct StoredTriangles {
     return stored_triangle<Stored>(vertices.origin, face);
   }
 };
+
+// The view of a scene in host memory whose triangles are made from meshes whenever they are read.
+template <class Stored, class Number>
+struct MeshesView {
+  SceneView<Stored> others; // without triangles
+  StoredTriangles<Stored, Number> triangles;
+
+  std::uint32_t primitive_count() const { return others.primitive_count(); }
+};
+
+// As of a SceneView.
+template <class Stored, class Number>
+std::uint32_t triangle_count(const MeshesView<Stored, Number>& scene) {
+  return scene.others.triangle_count;
+}
+template <class Stored, class Number, class Act>
+void with_primitive(const MeshesView<Stored, Number>& scene, PrimitiveIndex index, const Act& act) {
+  if (index < scene.others.triangle_count)
+    act(widened(scene.triangles(index)));
+  else
+    with_primitive(scene.others, index, act);
+}
 
 } // namespace masu

@@ -67,17 +67,12 @@ private:
   using Status = std::set<Edge, Below>;
   using Place = Status::iterator;
 
-  void fail(SweepOutcome why) {
-    if (outcome_ == SweepOutcome::triangulated) outcome_ = why;
+  // What holds as long as the polygon doesn't touch itself; or what holds then as long as nothing crosses.
+  void require(bool holds, SweepOutcome otherwise = SweepOutcome::undecided) {
+    if (!holds && outcome_ == SweepOutcome::triangulated) outcome_ = otherwise;
   }
-  // What holds as long as the polygon doesn't touch itself.
-  void require(bool holds) {
-    if (!holds) fail(SweepOutcome::undecided);
-  }
-  // What holds then as long as nothing crosses: interior and exterior alternate along the sweep line.
-  void require_alternation(bool holds) {
-    if (!holds) fail(SweepOutcome::crosses);
-  }
+  // Interior and exterior alternate along the sweep line.
+  void require_alternation(bool holds) { require(holds, SweepOutcome::crosses); }
 
   // Positive where v is above the edge.
   double side(const Edge& edge, Vertex v) {
@@ -98,25 +93,22 @@ private:
     if (meet) return require((al != 0 || ar != 0) && (bl != 0 || br != 0));
     const auto differ = [](double s, double t) { return (s > 0) != (t > 0); };
     if (al == 0 || ar == 0 || bl == 0 || br == 0) {
-      if ((al == 0 || ar == 0 || differ(al, ar)) && (bl == 0 || br == 0 || differ(bl, br)))
-        fail(SweepOutcome::undecided); // they touch
-    } else if (differ(al, ar) && differ(bl, br)) {
-      fail(SweepOutcome::crosses);
+      const bool touch = (al == 0 || ar == 0 || differ(al, ar)) && (bl == 0 || br == 0 || differ(bl, br));
+      return require(!touch);
     }
+    require(!(differ(al, ar) && differ(bl, br)), SweepOutcome::crosses);
   }
   void check_neighbours(Place place) {
     if (place != status_.begin()) check_crossing(*std::prev(place), *place);
     if (std::next(place) != status_.end()) check_crossing(*place, *std::next(place));
   }
 
-  Edge edge_of(Vertex i) const {
+  Edge edge_of(Vertex i, Vertex trapezoid) const {
     const Vertex a = i, b = ring_.next(i);
-    return ring_.is_before(a, b) ? Edge{a, b, true, none} : Edge{b, a, false, none};
+    return ring_.is_before(a, b) ? Edge{a, b, true, trapezoid} : Edge{b, a, false, trapezoid};
   }
   void insert(Vertex i, Vertex trapezoid) {
-    Edge edge = edge_of(i);
-    edge.trapezoid = trapezoid;
-    const auto [place, is_new] = status_.insert(edge);
+    const auto [place, is_new] = status_.insert(edge_of(i, trapezoid));
     require(is_new);
     places_[i] = place;
     check_neighbours(place);
@@ -128,9 +120,7 @@ private:
   // The chain goes on: at the same place of the order.
   void replace(Vertex from, Vertex to, Vertex trapezoid) {
     const Place place = places_[from];
-    Edge& edge = const_cast<Edge&>(*place);
-    edge = edge_of(to);
-    edge.trapezoid = trapezoid;
+    const_cast<Edge&>(*place) = edge_of(to, trapezoid);
     places_[to] = place;
     check_neighbours(place);
   }

@@ -54,22 +54,21 @@ std::vector<UnitTriangle> unit_sphere(int facets) {
 
 // A negative radius mirrors every corner, so that the triangles face inwards, as the unchanged normals then
 // do.
-void append_sphere(Scene& scene, const Sphere<double>& sphere, const Surface& surface,
-                   const std::vector<UnitTriangle>& unit, std::uint64_t first_normals) {
-  const auto corner = [&](const Vec3d& direction) { return fma(direction, sphere.radius, sphere.center); };
-  for (std::size_t i = 0; i < unit.size(); ++i)
-    scene.triangles.push_back({corner(unit[i][0]), surface.object, corner(unit[i][1]), surface.material,
-                               corner(unit[i][2]), first_normals + i});
-}
-
 void append_spheres(Scene& scene, int facets) {
   if (scene.spheres.empty()) return;
   const std::vector<UnitTriangle> unit = unit_sphere(facets);
   const std::uint64_t first_normals = scene.normals.size();
   for (const auto& [a, b, c] : unit)
     scene.normals.push_back({a, b, c});
-  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
-    append_sphere(scene, scene.spheres[i], scene.sphere_surfaces[i], unit, first_normals);
+  for (std::size_t s = 0; s < scene.spheres.size(); ++s) {
+    const auto [center, radius] = scene.spheres[s];
+    const auto [object, material] = scene.sphere_surfaces[s];
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+      const auto& [a, b, c] = unit[i];
+      scene.triangles.push_back({fma(a, radius, center), object, fma(b, radius, center), material,
+                                 fma(c, radius, center), first_normals + i});
+    }
+  }
 }
 
 struct Point {
@@ -125,11 +124,6 @@ void append_cone(Scene& scene, const Cone<double>& cone, const Surface& surface,
   }
 }
 
-std::uint64_t triangles_per_sphere(int facets) {
-  const auto squares = static_cast<std::uint64_t>(facets / 4);
-  return 12 * squares * squares;
-}
-
 std::uint64_t triangles_of_cones(const Scene& scene, int facets) {
   std::uint64_t sides = 0; // of one triangle: one for each end that isn't pointed
   for (const Cone<double>& cone : scene.cones)
@@ -140,7 +134,8 @@ std::uint64_t triangles_of_cones(const Scene& scene, int facets) {
 } // namespace
 
 Scene tessellated(Scene scene, int facets) {
-  const std::uint64_t a_sphere = triangles_per_sphere(facets);
+  const auto squares = static_cast<std::uint64_t>(facets / 4);
+  const std::uint64_t a_sphere = 12 * squares * squares;
   const std::uint64_t of_cones = triangles_of_cones(scene, facets);
   const std::uint64_t all = scene.triangles.size() + scene.spheres.size() * a_sphere + of_cones;
   if (all > max_primitives)

@@ -27,4 +27,11 @@ MASU_HD inline bool has_distinct_corners(const Vec3d& a, const Vec3d& b, const V
   return !(a == b) && !(b == c) && !(c == a);
 }
 
+// Triangles that nothing can hit keep the numbers of a mesh's faces of which two corners coincide. Such a
+// face isn't stored as it is: far from the others it would enlarge the scene's bounds, and with them every
+// error bound. All three corners of its triangle are one point instead (has_surface, primitives.h), a corner
+// of the first one that has a surface, which no test hits, and which builders leave out. Where none has one,
+// it is this point.
+inline constexpr Vec3d points_without_surface{1, 1, 1};
+
 } // namespace masu

@@ -10,9 +10,7 @@ namespace masu {
 namespace {
 
 int largest_axis(const Vec3d& v) {
-  const double x = std::abs(v.x);
-  const double y = std::abs(v.y);
-  const double z = std::abs(v.z);
+  const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
   return x > y && x > z ? 0 : y > z ? 1 : 2;
 }
 
@@ -22,8 +20,7 @@ bool split_convex_quad(std::span<const Vec3d, 4> q, Triangulation& result) {
   const Vec3d normal = cross(diagonals[0], diagonals[1]);
   const int axis = largest_axis(normal);
   const double facing = normal[axis] < 0 ? -1 : 1;
-  double coordinate = 0;
-  double edge = 0;
+  double coordinate = 0, edge = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     coordinate = max(coordinate, largest_magnitude(q[i]));
     edge = max(edge, largest_magnitude(q[(i + 1) % 4] - q[i]));
@@ -56,10 +53,8 @@ double scale_to_one(std::span<const Vec3d> polygon) {
 // the largest normal of a corner. Zero when all vertices are collinear.
 Vec3d mean_normal(std::span<const Vec3d> polygon, double scale) {
   const Vec3d origin = polygon[0] * scale;
-  Vec3d sum{0, 0, 0};
-  Vec3d greatest{0, 0, 0};
-  double length = 0;
-  double farthest = 0;
+  Vec3d sum{0, 0, 0}, greatest{0, 0, 0};
+  double length = 0, farthest = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Vec3d a = polygon[i] * scale - origin;
     const Vec3d b = polygon[i + 1] * scale - origin;
@@ -97,11 +92,9 @@ std::vector<std::uint32_t> distinct_ring(std::span<const Vec3d> polygon) {
   return ring;
 }
 
-// Drops triangles that have an area in the projection only by rounding.
-void drop_slivers(std::span<const Vec3d> polygon, Triangulation& result) {
-  result.slivers += std::erase_if(result.triangles, [&](const std::array<std::uint32_t, 3>& t) {
-    return !has_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
-  });
+// Whether the triangle has an area not by rounding in the projection alone.
+bool is_good(std::span<const Vec3d> polygon, const std::array<std::uint32_t, 3>& t) {
+  return has_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
 }
 
 // Where ear clipping takes too long: by the sweep, whose triangles are longer but which is never slow. False
@@ -110,11 +103,10 @@ bool is_swept(std::span<const Vec3d> polygon, std::span<const Point2> points,
               std::span<const std::uint32_t> ring, Triangulation& result) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const SweepOutcome outcome = triangulate_by_sweep(points, ring, triangles);
-  const auto is_good = [&](const std::array<std::uint32_t, 3>& t) {
-    return has_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
-  };
   if (outcome == SweepOutcome::crosses) result.crosses_itself = true;
-  if (outcome != SweepOutcome::triangulated || !std::ranges::all_of(triangles, is_good)) return false;
+  if (outcome != SweepOutcome::triangulated ||
+      !std::ranges::all_of(triangles, [&](const auto& t) { return is_good(polygon, t); }))
+    return false;
   result = {std::move(triangles), 0, false};
   return true;
 }
@@ -139,13 +131,7 @@ void triangulate(std::span<const Vec3d> polygon, Triangulation& result) {
   const std::vector<Point2> points = project(polygon, scale, normal);
   clip_ears(
       points, ring, [&] { return is_swept(polygon, points, ring, result); }, result);
-  drop_slivers(polygon, result);
-}
-
-Triangulation triangulate(std::span<const Vec3d> polygon) {
-  Triangulation result;
-  triangulate(polygon, result);
-  return result;
+  result.slivers += std::erase_if(result.triangles, [&](const auto& t) { return !is_good(polygon, t); });
 }
 
 } // namespace masu

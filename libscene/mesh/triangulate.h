@@ -25,10 +25,8 @@ struct Triangulation {
 // Every vertex of `polygon` is a corner of some triangle, so that edges shared with other polygons stay
 // shared; of equal consecutive vertices the first one. Holes may be connected by a bridge (an edge used in
 // both directions). Vertices needn't be exactly coplanar: they are projected along the polygon's mean normal.
-// Magnitudes of coordinates must be at most 1e100. Empty when the polygon has no area.
-Triangulation triangulate(std::span<const Vec3d> polygon);
-
-// The same into `result`, whose memory is reused. Triangles and convex quadrilaterals have a fast path.
+// Magnitudes of coordinates must be at most 1e100. Empty when the polygon has no area. The memory of `result`
+// is reused. Triangles and convex quadrilaterals have a fast path.
 void triangulate(std::span<const Vec3d> polygon, Triangulation& result);
 
 } // namespace masu

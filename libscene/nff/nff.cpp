@@ -51,14 +51,10 @@ public:
   void next(Job& job) {
     job.characters.assign(rest_.begin(), rest_.end());
     std::uint64_t searched = piece_bytes_ - 1; // a line can't start before
-    for (;;) {
-      const std::optional<std::uint64_t> end = end_of_piece(job.characters, searched);
-      if (end) {
-        job.size = *end;
-        break;
-      }
+    std::optional<std::uint64_t> end;
+    while (!(end = end_of_piece(job.characters, searched)))
       read(job.characters);
-    }
+    job.size = *end;
     rest_.assign(job.characters.begin() + static_cast<std::ptrdiff_t>(job.size), job.characters.end());
     job.lines_before = lines_;
     lines_ += count_lines({job.characters.data(), job.size});
@@ -262,23 +258,18 @@ void parse_job(Job& job, const std::string& name) {
 
 void parse_all(Cutter& cutter, Job&& first, const std::string& name, const NffOptions& options,
                Assembly& assembly) {
-  const int cores = tbb::this_task_arena::max_concurrency();
-  tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
   // One for each token of the pipeline: pieces leave it in order, so that the oldest job is free.
-  std::vector<Job> jobs(2 * static_cast<std::size_t>(arena.max_concurrency()));
+  std::vector<Job> jobs(2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
   jobs[0] = std::move(first);
   std::size_t started = 0;
   std::exception_ptr error, cut_error; // the first in the text; and what ended the reading
   std::atomic<bool> has_failed = false;
 
   const auto cut = [&](tbb::flow_control& control) -> Job* {
-    if (has_failed || (started > 0 && cutter.is_at_end())) {
-      control.stop();
-      return nullptr;
-    }
     Job& job = jobs[started % jobs.size()];
-    if (started > 0) cut_error = caught([&] { cutter.next(job); });
-    if (cut_error) {
+    const bool is_over = has_failed || (started > 0 && cutter.is_at_end());
+    if (!is_over && started > 0) cut_error = caught([&] { cutter.next(job); });
+    if (is_over || cut_error) {
       control.stop();
       return nullptr;
     }
@@ -297,12 +288,10 @@ void parse_all(Cutter& cutter, Job&& first, const std::string& name, const NffOp
     if (options.progress && job->share > 0) options.progress(job->share);
   };
   using tbb::filter_mode;
-  arena.execute([&] {
-    tbb::parallel_pipeline(jobs.size(),
-                           tbb::make_filter<void, Job*>(filter_mode::serial_in_order, cut) &
-                               tbb::make_filter<Job*, Job*>(filter_mode::parallel, parse) &
-                               tbb::make_filter<Job*, void>(filter_mode::serial_in_order, collect));
-  });
+  tbb::parallel_pipeline(jobs.size(),
+                         tbb::make_filter<void, Job*>(filter_mode::serial_in_order, cut) &
+                             tbb::make_filter<Job*, Job*>(filter_mode::parallel, parse) &
+                             tbb::make_filter<Job*, void>(filter_mode::serial_in_order, collect));
   if (error) std::rethrow_exception(error);
   if (cut_error) std::rethrow_exception(cut_error);
 }

@@ -11,7 +11,6 @@
 namespace masu {
 
 struct NffOptions {
-  int threads = 0; // 0: every core
   // The text is parsed in parallel in pieces of about this many bytes; each starts with an entity at the
   // start of a line. The scene doesn't depend on it.
   std::size_t piece_bytes = std::size_t{1} << 20;

@@ -1,7 +1,6 @@
 #include "libscene/nff/nff_lexer.h"
 
 #include "libscene/base/error.h"
-#include "libscene/scene.h"
 
 #include <charconv>
 #include <cmath>
@@ -11,19 +10,11 @@
 namespace masu::nff {
 namespace {
 
-bool has_nonzero_digit(std::string_view token) {
-  return token.substr(0, token.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos;
-}
-
 // The token at `position`, quoted for a message: truncated.
 std::string quoted(const Text& text, const char* position) {
   constexpr std::size_t max_size = 24;
-  std::string result = "'";
-  const char* p = position;
-  for (; p != text.end() && kind_of(*p) == Character::other && result.size() <= max_size; ++p)
-    result += *p;
-  if (p != text.end() && kind_of(*p) == Character::other) result += "...";
-  return result + "'";
+  const std::string_view token = Lexer(text, position).word();
+  return fmt::format("'{}{}'", token.substr(0, max_size), token.size() > max_size ? "..." : "");
 }
 
 } // namespace
@@ -66,14 +57,11 @@ double Lexer::other_number(const char* syntax) {
     read = std::from_chars(has_plus ? digits : start, position_, value);
   if (read.ec == std::errc::invalid_argument || read.ptr != position_)
     refuse(start, fmt::format(" where a number is expected: write `{}`", syntax));
-  if (read.ec != std::errc{} || !std::isfinite(value) || (value == 0 && has_nonzero_digit(token)))
+  const bool has_nonzero_digit =
+      token.substr(0, token.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos;
+  if (read.ec != std::errc{} || !std::isfinite(value) || (value == 0 && has_nonzero_digit))
     refuse(start, " is out of a double's range: write a number from 1e-307 to 1e307");
   return value;
-}
-
-void Lexer::check_bound(double value, const char* start) const {
-  if (std::abs(value) > max_coordinate)
-    refuse(start, " is too large: scale the scene to coordinates within 1e100");
 }
 
 float Lexer::factor(const char* syntax) {

@@ -1,7 +1,10 @@
 // The lexer of NFF text: words and numbers separated by white space and comments; positions for errors.
 #pragma once
 
+#include "libscene/scene.h"
+
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -55,7 +58,6 @@ public:
   Lexer(const Text& text, const char* from) : text_(&text), position_(from), end_(text.end()) {}
 
   const Text& text() const { return *text_; }
-  bool is_at_end() const { return position_ == end_; }
   // The next token's first character, or the text's end.
   const char* next() {
     while (position_ != end_ && kind_of(*position_) != Character::other)
@@ -85,7 +87,6 @@ private:
   void skip_blank();
   bool plain_number(double& value);
   double other_number(const char* syntax);
-  void check_bound(double value, const char* start) const;
 
   const Text* text_;
   const char* position_;
@@ -138,7 +139,8 @@ inline double Lexer::coordinate(const char* syntax) {
   const char* const start = next();
   if (plain_number(value)) return value; // below 1e19
   value = other_number(syntax);
-  check_bound(value, start);
+  if (std::abs(value) > max_coordinate)
+    refuse(start, " is too large: scale the scene to coordinates within 1e100");
   return value;
 }
 

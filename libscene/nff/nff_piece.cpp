@@ -101,13 +101,9 @@ void read_light(Reader& reader) {
 
 void read_fill(Reader& reader) {
   Lexer& lexer = reader.lexer;
-  Material fill{};
-  fill.color = read_color(lexer, syntax_fill);
-  fill.diffuse = read_unsigned_factor(lexer, syntax_fill);
-  fill.specular = read_unsigned_factor(lexer, syntax_fill);
-  fill.shine = read_unsigned_factor(lexer, syntax_fill);
-  fill.transmittance = read_unsigned_factor(lexer, syntax_fill);
-  fill.refraction_index = lexer.factor(syntax_fill);
+  const auto factor = [&] { return read_unsigned_factor(lexer, syntax_fill); };
+  Material fill{read_color(lexer, syntax_fill), factor(), factor(), factor(), factor(),
+                lexer.factor(syntax_fill)};
   // Files often give 0 for opaque fills.
   if (transmits(fill) && fill.refraction_index <= 0) fill.refraction_index = 1;
   reader.piece.last_material = fill;

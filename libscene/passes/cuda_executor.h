@@ -19,7 +19,6 @@ namespace masu {
 class CudaExecutor {
 public:
   static constexpr bool has_warps = true;
-  static constexpr unsigned lanes = 1;
   using Memory = CudaMemory;
   template <class T>
   using Array = DeviceArray<T>;
@@ -37,9 +36,8 @@ public:
   }
   template <class T>
   Array<T> zeros(std::uint64_t count) const {
-    if (is_small<T>(count)) return small<T>(count);
-    Array<T> values(count, memory_);
-    values.clear();
+    auto values = array<T>(count);
+    if (!is_small<T>(count)) values.clear();
     return values;
   }
   template <class Act>
@@ -89,8 +87,7 @@ public:
     if (count <= kernels::max_summed_by_block)
       return sum_by_block(values, [=] MASU_PASS(std::uint64_t i) { return value[i]; });
     with_memory([&](void* memory, std::size_t& bytes) {
-      return cub::DeviceScan::ExclusiveScan(memory, bytes, value, value, kernels::Sum{}, T{}, count,
-                                            memory_.stream);
+      return cub::DeviceScan::ExclusiveSum(memory, bytes, value, value, count, memory_.stream);
     });
   }
   // What is summed up isn't computed as CUB reads it: many read far apart, and its blocks are few.
@@ -101,8 +98,7 @@ public:
       sum_by_block(values, of);
       return values;
     }
-    T* const value = values.data();
-    for_each(count, [=] MASU_PASS(std::uint64_t i) { value[i] = of(i); });
+    for_each(count, [=, value = values.data()] MASU_PASS(std::uint64_t i) { value[i] = of(i); });
     scan(values);
     return values;
   }
@@ -116,9 +112,7 @@ public:
   template <class KeyOf>
   Sorted<CudaExecutor, std::uint32_t> sorted(std::uint64_t count, int bits, const KeyOf& key_of) const {
     Sorted<CudaExecutor, std::uint32_t> sorted{array<std::uint64_t>(count), array<std::uint32_t>(count)};
-    std::uint64_t* const keys = sorted.keys.data();
-    std::uint32_t* const values = sorted.values.data();
-    for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    for_each(count, [=, keys = sorted.keys.data(), values = sorted.values.data()] MASU_PASS(std::uint64_t i) {
       keys[i] = key_of(i);
       values[i] = static_cast<std::uint32_t>(i);
     });
@@ -142,14 +136,12 @@ public:
       if (piece != piece_count) pieces(piece, [&](std::uint64_t, const Value&) { ++own; });
       return own;
     });
-    const std::uint64_t* const first_pair = pairs.data();
     const std::uint64_t pair_count = value(pairs, piece_count);
     if (pair_count > max_pairs) return std::nullopt;
 
     Sorted<CudaExecutor, Value> sorted{array<std::uint64_t>(pair_count), array<Value>(pair_count)};
-    std::uint64_t* const keys = sorted.keys.data();
-    Value* const values = sorted.values.data();
-    for_each(piece_count, [=] MASU_PASS(std::uint64_t piece) {
+    for_each(piece_count, [=, first_pair = pairs.data(), keys = sorted.keys.data(),
+                           values = sorted.values.data()] MASU_PASS(std::uint64_t piece) {
       std::uint64_t offset = first_pair[piece];
       pieces(piece, [&](std::uint64_t key, const Value& value) {
         keys[offset] = key;

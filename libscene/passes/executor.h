@@ -7,8 +7,6 @@
 //   for_each(count, act)          act(i) for i = 0 … count - 1
 //   for_each_part(count, act)     act(begin, end) for parts of 0 … count - 1, each by one thread: on the host
 //                                 as much as a core's cache holds, on a device one item
-//   lanes                         how many items of a part a thread has under way at once, so as to wait for
-//                                 the loads of all together
 //   for_each_by_group(count, work)  work(group, scratch, i): a group of threads (thread_group.h) to each i, a
 //                                 larger one where work.size(i) is large; they share a Work::Scratch. Work
 //                                 without size() is never large; Work::threads says how many share it: 8,

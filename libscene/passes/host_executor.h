@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -22,7 +23,6 @@ public:
   ProgressMonitor* progress = nullptr; // of the build that the passes are of; may be null
 
   static constexpr bool has_warps = false;
-  static constexpr unsigned lanes = 32;
   using Memory = HostMemory;
   template <class T>
   using Array = HostArray<T>;
@@ -65,34 +65,23 @@ public:
   }
   template <class T>
   void scan(Array<T>& values) const {
-    if constexpr (!parallel) {
-      T sum{};
-      for (T& value : values)
-        value = std::exchange(sum, sum + value);
-      return;
-    }
     constexpr std::uint64_t chunk = 1 << 16;
     const std::uint64_t chunks = (values.size() + chunk - 1) / chunk;
-    std::vector<T> sums(chunks, T{});
-    const auto over = [&](std::uint64_t c, const auto& act) {
-      check_progress(progress);
-      T sum = sums[c];
-      const std::uint64_t end = std::min<std::uint64_t>(values.size(), (c + 1) * chunk);
-      for (std::uint64_t i = c * chunk; i != end; ++i)
-        act(values[i], sum);
-      return sum;
-    };
-    if (chunks > 1) {
-      parallel_for(chunks, [&](std::uint64_t c) {
-        sums[c] = over(c, [](const T& value, T& sum) { sum = sum + value; });
-      });
-      T sum{};
-      for (T& own : sums)
-        own = std::exchange(sum, sum + own);
+    if (!parallel || chunks < 2) {
+      std::exclusive_scan(values.begin(), values.end(), values.begin(), T{});
+      return;
     }
-    parallel_for(chunks, [&](std::uint64_t c) {
-      over(c, [](T& value, T& sum) { value = std::exchange(sum, sum + value); });
-    });
+    std::vector<T> sums(chunks);
+    const auto over_chunks = [&](const auto& act) {
+      parallel_for(chunks, [&](std::uint64_t c) {
+        check_progress(progress);
+        T* const begin = values.data() + c * chunk;
+        act(sums[c], begin, begin + std::min(chunk, values.size() - c * chunk));
+      });
+    };
+    over_chunks([](T& sum, const T* begin, const T* end) { sum = std::accumulate(begin, end, T{}); });
+    std::exclusive_scan(sums.begin(), sums.end(), sums.begin(), T{});
+    over_chunks([](const T& sum, T* begin, T* end) { std::exclusive_scan(begin, end, begin, sum); });
   }
   template <class T, class Of>
   Array<T> sums(std::uint64_t count, const Of& of) const {
@@ -174,8 +163,7 @@ public:
       for (std::uint64_t b = 0; b < buckets; ++b)
         begin[b + 1] += chunk.place[b];
     }
-    for (std::uint64_t b = 0; b < buckets; ++b)
-      begin[b + 1] += begin[b];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<std::uint64_t> next(begin.begin(), begin.end() - 1);
     for (Chunk& chunk : chunks) {
       for (std::uint64_t b = 0; b < buckets; ++b)
@@ -222,9 +210,7 @@ private:
         std::fill(next.begin(), next.end(), 0U);
         for (const Place place : places)
           ++next[digit(place)];
-        std::uint32_t sum = 0;
-        for (std::uint32_t& first : next)
-          first = std::exchange(sum, sum + first);
+        std::exclusive_scan(next.begin(), next.end(), next.begin(), 0U);
         for (const Place place : places)
           sorted[next[digit(place)]++] = place;
         std::swap(places, sorted);

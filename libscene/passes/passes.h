@@ -57,9 +57,8 @@ Part joined_in_order(Executor& executor, std::uint64_t count, const Of& of) {
   if constexpr (!Executor::has_warps) return joined_by_shares<Part>(executor, count, of);
   // By as many threads as there are, whatever of() branches to: a thread that joins waits for memory alone.
   auto parts = executor.template array<Part>(count);
-  Part* const part = parts.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { part[i] = of(i); });
-  return joined_by_shares<Part>(executor, count, ElementOf<Part>{part});
+  executor.for_each(count, [=, part = parts.data()] MASU_PASS(std::uint64_t i) { part[i] = of(i); });
+  return joined_by_shares<Part>(executor, count, ElementOf<Part>{parts.data()});
 }
 
 // The set (atomic.h) of so many numbers, all below `end`.
@@ -67,9 +66,9 @@ template <class Executor>
 ArrayOf<Executor, std::uint32_t> set_of(Executor& executor, const std::uint32_t* numbers, std::uint64_t count,
                                         std::uint64_t end) {
   auto set = executor.template zeros<std::uint32_t>(set_words(end));
-  std::uint32_t* const words = set.data();
-  executor.for_each(end > 0 ? count : 0,
-                    [=] MASU_PASS(std::uint64_t i) { static_cast<void>(inserted(words, numbers[i])); });
+  executor.for_each(end > 0 ? count : 0, [=, words = set.data()] MASU_PASS(std::uint64_t i) {
+    static_cast<void>(inserted(words, numbers[i]));
+  });
   return set;
 }
 

@@ -1,5 +1,5 @@
 // Groups of threads that share a work item, after CUDA's cooperative groups: a single thread on the host; on
-// the device a warp tile or a thread block (cuda_groups.h), with the same members.
+// the device a warp tile or a thread block (cuda_passes.h), with the same members.
 #pragma once
 
 #include "libscene/geometry/box.h"
@@ -14,19 +14,10 @@ struct SingleThread {
   MASU_HD std::uint32_t size() const { return 1; }
   // A barrier; what was written before it is visible after it.
   MASU_HD void sync() const {}
-  // Parts of a large group, of `width` threads, that go each its own way: this thread's, and which it is of
-  // how many.
+  // Parts of a large group, of `width` threads side by side, that go each its own way: this thread's.
   template <unsigned width>
   MASU_HD SingleThread tile() const {
     return {};
-  }
-  template <unsigned width>
-  MASU_HD std::uint32_t tile_rank() const {
-    return 0;
-  }
-  template <unsigned width>
-  MASU_HD std::uint32_t tile_count() const {
-    return 1;
   }
   // Adds to a counter that all threads share.
   MASU_HD void count(std::uint32_t& counter, std::uint32_t by = 1) const { counter += by; }

@@ -54,9 +54,7 @@ void put_flake(NffWriter& nff, const Directions& children, const Ball& ball, int
 
 void write_balls(NffWriter& nff, int size, bool background) {
   put_view(nff, {{2.1, 1.3, 1.7}, {0, 0, 0}, z_axis, 0.01});
-  put_light(nff, {4, 3, 2});
-  put_light(nff, {1, -4, 4});
-  put_light(nff, {-3, 1, 5});
+  put_lights(nff, {{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
   if (background) {
     put_material(nff, {1, 0.75, 0.33, 0.8, 0, 100000, 0, 1});
     put_polygon(nff, {{12, 12, -0.5}, {-12, 12, -0.5}, {-12, -12, -0.5}, {12, -12, -0.5}});

@@ -77,10 +77,7 @@ void put_gear(NffWriter& nff, const Outline& outline, const Vec3d& center, doubl
 
 void write_gears(NffWriter& nff, int size, bool background) {
   put_view(nff, {{-1.1, -2.1, 2.6}, {0, 0, 0}, z_axis, 1});
-  constexpr std::array<Vec3d, 5> lights = {
-      {{2, 4, 4}, {-2, 4, 3}, {2, -2.5, 2.5}, {-1, -4, 2}, {-1.111, -2.121, 2.626}}};
-  for (const Vec3d& light : lights)
-    put_light(nff, light);
+  put_lights(nff, {{2, 4, 4}, {-2, 4, 3}, {2, -2.5, 2.5}, {-1, -4, 2}, {-1.111, -2.121, 2.626}});
   if (background) {
     put_material(nff, {1, 0.85, 0.7, 0.3, 0.6, 3.0827, 0, 0});
     put_polygon(nff, {{2, 2, 0}, {-2, 2, 0}, {-2, -2, 0}, {2, -2, 0}});

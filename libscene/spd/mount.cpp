@@ -120,7 +120,7 @@ void put_spheres(NffWriter& nff) {
 
 void write_mount(NffWriter& nff, int size, bool background) {
   put_view(nff, {{-1.6, 1.6, 1.7}, {0, 0, 0}, z_axis, 0.01});
-  put_light(nff, {-100, -100, 100});
+  put_lights(nff, {{-100, -100, 100}});
   if (background) put_spheres(nff);
   put_material(nff, {0.5, 0.45, 0.35, 1, 0, 100000, 0, 0});
   put_terrain(nff, {{0, 0}, finest_steps, roughness(), {0, 0, 0, 0}}, size); // half the side: 1

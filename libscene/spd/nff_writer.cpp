@@ -1,4 +1,4 @@
-#include "libscene/spd/nff_writer.h"
+#include "libscene/spd/scenes.h"
 
 #include "libscene/base/error.h"
 
@@ -69,8 +69,9 @@ void put_view(NffWriter& nff, const View& view) {
   put_line(nff, "resolution", {pixels, pixels});
 }
 
-void put_light(NffWriter& nff, const Vec3d& position) {
-  put_line(nff, "l", {position.x, position.y, position.z});
+void put_lights(NffWriter& nff, std::initializer_list<Vec3d> positions) {
+  for (const Vec3d& position : positions)
+    put_line(nff, "l", {position.x, position.y, position.z});
 }
 
 void put_material(NffWriter& nff, const Material& m) {

@@ -110,7 +110,7 @@ Row corners_along(const Net& net, const std::vector<Weights>& us, const Weights&
 
 void write_nurbs(NffWriter& nff, int size, bool) {
   put_view(nff, {{0, 5, -10}, {0, 0, 0}, y_axis, 0.001, {0, 0, 0}, 30, 256});
-  put_light(nff, {0, 50, -10});
+  put_lights(nff, {{0, 50, -10}});
   put_material(nff, {1, 0, 0, 0.7, 0, 45.2776, 0, 1});
   const std::vector<Weights> us = weights_along(columns, static_cast<int>(columns) * size);
   const std::vector<Weights> vs = weights_along(rows, static_cast<int>(rows) * size);

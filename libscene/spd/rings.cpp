@@ -65,9 +65,7 @@ void write_rings(NffWriter& nff, int size, bool background) {
   const double step = layer_distance();
   const Vec3d camera = {-1, -step, 0.5};
   put_view(nff, {camera, camera + y_axis, z_axis, 1});
-  put_light(nff, {3, -step, 3});
-  put_light(nff, {-4, -step, 1});
-  put_light(nff, {2, -step, -4});
+  put_lights(nff, {{3, -step, 3}, {-4, -step, 1}, {2, -step, -4}});
   if (background) put_wall(nff, camera, size);
   const Rings rings = interlocked_rings();
   for (int layer = 0; layer < size; ++layer)

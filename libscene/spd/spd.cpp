@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 namespace masu {
 
@@ -39,10 +38,6 @@ std::span<const SpdInfo> spd_scenes() {
   return scenes;
 }
 
-const SpdInfo& spd_info(SpdScene scene) {
-  return scenes[static_cast<std::size_t>(scene)];
-}
-
 const SpdInfo& spd_info(std::string_view name) {
   const auto info = std::ranges::find(scenes, name, &SpdInfo::name);
   if (info == scenes.end())
@@ -52,7 +47,7 @@ const SpdInfo& spd_info(std::string_view name) {
 }
 
 void check_spd_size(SpdScene scene, int size) {
-  const SpdInfo& info = spd_info(scene);
+  const SpdInfo& info = scenes[static_cast<std::size_t>(scene)];
   if (size < info.min_size || size > info.max_size)
     throw Error(
         ErrorCode::usage, fmt::format("size {}", size),

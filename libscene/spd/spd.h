@@ -42,8 +42,6 @@ struct SpdOptions {
 // All scenes, in the order of SpdScene.
 std::span<const SpdInfo> spd_scenes();
 
-const SpdInfo& spd_info(SpdScene scene);
-
 // By name. Throws Error(usage) for an unknown one.
 const SpdInfo& spd_info(std::string_view name);
 

@@ -183,8 +183,7 @@ void put_squares(NffWriter& nff, int size, bool odd) {
 
 void write_teapot(NffWriter& nff, int size, bool) {
   put_view(nff, {{4.86, 7.2, 5.4}, {0, 0, 0}, z_axis, 1});
-  put_light(nff, {-3.1, 9.8, 12.1});
-  put_light(nff, {11.3, 5.1, 8.8});
+  put_lights(nff, {{-3.1, 9.8, 12.1}, {11.3, 5.1, 8.8}});
   put_material(nff, {1, 1, 1, 0.5, 0.5, 4.81884, 0, 0});
   put_squares(nff, size, true);
   put_material(nff, {0.5, 0.5, 0.5, 0.5, 0.5, 4.81884, 0, 0});

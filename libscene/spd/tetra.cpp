@@ -31,7 +31,7 @@ void write_tetra(NffWriter& nff, int size, bool) {
   put_view(
       nff,
       {{1.02285, -3.17715, -2.17451}, {-0.004103, -0.004103, 0.216539}, {-0.816497, -0.816497, 0.816497}, 1});
-  put_light(nff, {2, -18, -5});
+  put_lights(nff, {{2, -18, -5}});
   put_material(nff, {1, 0.2, 0.2, 1, 0, 100000, 0, 0});
   put_pyramid(nff, {0, 0, 0}, 1, size);
 }

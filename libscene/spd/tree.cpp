@@ -43,15 +43,13 @@ void put_branch(NffWriter& nff, const Forks& forks, const Branch& branch, int de
 
 void write_tree(NffWriter& nff, int size, bool background) {
   put_view(nff, {{4.5, 0.4, 2}, {0, 0, 1.5}, z_axis, 1});
-  constexpr std::array<Vec3d, 7> lights = {{{-5, 5, 50},
-                                            {30, -30, 30},
-                                            {-40, -30, 20},
-                                            {10, 30, 40},
-                                            {-30, 40, 10},
-                                            {50, 25, 20},
-                                            {-10, -60, 30}}};
-  for (const Vec3d& light : lights)
-    put_light(nff, light);
+  put_lights(nff, {{-5, 5, 50},
+                   {30, -30, 30},
+                   {-40, -30, 20},
+                   {10, 30, 40},
+                   {-30, 40, 10},
+                   {50, 25, 20},
+                   {-10, -60, 30}});
   if (background) {
     put_material(nff, {0.2, 0.7, 0.2, 1, 0, 100000, 0, 0});
     put_polygon(nff, {{50, 50, 0}, {-50, 50, 0}, {-50, -50, 0}, {50, -50, 0}});

@@ -11,11 +11,10 @@
 
 namespace masu {
 
-inline void add(Counts& total, const Counts& part) {
-  total += part;
+template <class Total, class Part>
+void add(Total& total, const Part& part) {
+  if constexpr (Part::is_counted) total += part;
 }
-inline void add(Counts&, const NoCounts&) {}
-inline void add(NoCounts&, const NoCounts&) {}
 
 template <class Act>
 double seconds_of(const Act& act) {

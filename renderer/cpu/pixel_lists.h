@@ -6,6 +6,7 @@
 #include "renderer/cpu/packet_lists.h"
 #include "renderer/render_pixel.h"
 
+#include <numeric>
 #include <vector>
 
 namespace masu {
@@ -20,15 +21,20 @@ public:
              const HierarchyView<Real>& hierarchy, const RenderRules& rules)
       : scene_(scene), lighting_(lighting), hierarchy_(hierarchy), rules_(rules) {}
 
-  void clear() { pixels_.clear(); }
-  // Before follow_all(). Neighbours among the pixels should be neighbours in the picture.
-  void add(const Ray<Real>& camera_ray) { pixels_.emplace_back(camera_ray); }
+  struct Pixel {
+    RayTree<Real> tree;
+    NearHit<WatertightRay<Real>> hit{}; // of the tree's ray
+    Arrival<Real> at{};                 // where it hits anything
+    HitRecord first_hit{};
+
+    explicit Pixel(const Ray<Real>& camera_ray) : tree(camera_ray) {}
+  };
+  std::vector<Pixel> pixels; // neighbours should be neighbours in the picture
 
   // Until all light has come back.
   void follow_all() {
-    std::vector<std::size_t> going(pixels_.size());
-    for (std::size_t i = 0; i < going.size(); ++i)
-      going[i] = i;
+    std::vector<std::size_t> going(pixels.size());
+    std::iota(going.begin(), going.end(), std::size_t{0});
     NoCounts counts;
     while (!going.empty()) {
       trace_nearest(going);
@@ -36,7 +42,7 @@ public:
       std::size_t shadow_ray = 0, left = 0;
       const auto occluded = [&](const Ray<Real>&) { return dark_[shadow_ray++] != 0; };
       for (const std::size_t i : going) {
-        Pixel& pixel = pixels_[i];
+        Pixel& pixel = pixels[i];
         const auto arrive = [&]() -> const Arrival<Real>& { return pixel.at; };
         if (follow(scene_, lighting_, rules_, pixel.hit, pixel.tree, pixel.first_hit, arrive, occluded,
                    counts))
@@ -46,26 +52,13 @@ public:
     }
   }
 
-  // In the order in which they were added.
-  const Vec3f& light(std::size_t i) const { return pixels_[i].tree.light; }
-  const HitRecord& first_hit(std::size_t i) const { return pixels_[i].first_hit; }
-
 private:
-  struct Pixel {
-    RayTree<Real> tree;
-    NearHit<WatertightRay<Real>> hit{}; // of the tree's ray
-    Arrival<Real> at{};                 // where it hits anything
-    HitRecord first_hit{};
-
-    explicit Pixel(const Ray<Real>& camera_ray) : tree(camera_ray) {}
-  };
-
   void trace_nearest(const std::vector<std::size_t>& going) {
     rays_.clear();
     for (const std::size_t i : going)
-      rays_.push_back(unbounded_ray(pixels_[i].tree.ray.origin, pixels_[i].tree.ray.direction));
+      rays_.push_back(unbounded_ray(pixels[i].tree.ray.origin, pixels[i].tree.ray.direction));
     trace<Query::nearest_hit>([&](std::size_t k, const ListedHit<Real>& found) {
-      NearHit<WatertightRay<Real>>& hit = pixels_[going[k]].hit;
+      NearHit<WatertightRay<Real>>& hit = pixels[going[k]].hit;
       hit.hit = no_hit<Real>();
       if (found.near.primitive == no_primitive) return;
       ClippedRay<Real> near{};
@@ -77,7 +70,7 @@ private:
     NoCounts counts;
     for (std::size_t k = 0; k < going.size(); ++k) // no list has those hit anything
       if (!is_valid(rays_[k]))
-        pixels_[going[k]].hit = nearest_hit_near<M>(scene_, hierarchy_, rays_[k], counts);
+        pixels[going[k]].hit = nearest_hit_near<M>(scene_, hierarchy_, rays_[k], counts);
   }
 
   void trace_shadow_rays(const std::vector<std::size_t>& going) {
@@ -89,7 +82,7 @@ private:
       return true;
     };
     for (const std::size_t i : going) {
-      Pixel& pixel = pixels_[i];
+      Pixel& pixel = pixels[i];
       if (pixel.hit.hit.primitive == no_primitive) continue;
       const Vec3<Real>& direction = pixel.tree.ray.direction;
       pixel.at = arrival<M>(scene_, rules_, pixel.hit, direction);
@@ -120,7 +113,6 @@ private:
   const Lighting<Stored>& lighting_;
   const HierarchyView<Real>& hierarchy_;
   const RenderRules& rules_;
-  std::vector<Pixel> pixels_;
   std::vector<Ray<Real>> rays_;
   std::vector<std::uint8_t> dark_; // of the shadow rays
 };

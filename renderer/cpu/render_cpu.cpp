@@ -62,7 +62,8 @@ struct Pixels {
     if (request.shaded) frame.radiance[at] = light;
     if (request.hits) frame.hits[at] = hit;
     if (request.attributes)
-      write_attributes(scene, NoStructure{}, ray(column, row), listed(hit), attributes, at);
+      write_attributes(scene, NoStructure{}, ray(column, row), {hit.t, static_cast<PrimitiveIndex>(hit.name)},
+                       attributes, at);
   }
 };
 
@@ -71,7 +72,7 @@ void render_one_by_one(const Pixels<typename M::Real, Stored>& pixels, const Str
   const FrameRequest& request = pixels.request;
   Frame& frame = pixels.frame;
   tbb::combinable<Counts> totals;
-  const RayCosts costs = costs_of(frame);
+  const RayCosts costs = request.costs ? RayCosts{frame.cells.data(), frame.tests.data()} : RayCosts{};
   const std::int32_t counted_rows = frame.rows - (request.count_last_row ? 0 : 1);
   for_each_tile(request, frame, [&](const Tile& tile) {
     C counts;
@@ -97,12 +98,14 @@ void render_by_lists(const Pixels<typename M::Real, Stored>& pixels,
       [&] { return PixelLists<M, Stored>(pixels.scene, pixels.lighting, hierarchy, pixels.request.rules); });
   for_each_tile(pixels.request, pixels.frame, [&](const Tile& tile) {
     PixelLists<M, Stored>& lists = all_lists.local();
-    lists.clear();
-    for_each_pixel(tile, [&](std::int32_t column, std::int32_t row) { lists.add(pixels.ray(column, row)); });
+    lists.pixels.clear();
+    for_each_pixel(tile, [&](std::int32_t column, std::int32_t row) {
+      lists.pixels.emplace_back(pixels.ray(column, row));
+    });
     lists.follow_all();
     std::size_t i = 0;
     for_each_pixel(tile, [&](std::int32_t column, std::int32_t row) {
-      pixels.write(column, row, lists.light(i), lists.first_hit(i));
+      pixels.write(column, row, lists.pixels[i].tree.light, lists.pixels[i].first_hit);
       ++i;
     });
   });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/cpu/on_cpu.h"
+#include "renderer/rays/closest_points.h"
 #ifdef MASU_HOST_AVX2
 #include "renderer/cpu/packet_lists.h"
 #endif
@@ -9,13 +10,6 @@
 #include <algorithm>
 
 namespace masu {
-
-// Of ray i's nearest hit what follows from its number; of one through placed meshes placed_rays.h writes it.
-template <class Real, class Stored, class Structure>
-void write_named(const SceneView<Stored>& scene, const Structure&, const Ray<Real>& ray,
-                 const Hit<float>& hit, const RayResults& results, std::size_t i) {
-  if (results.has_attributes()) write_attributes(scene, NoStructure{}, ray, hit, results, i);
-}
 
 // How many tests a ray takes where each primitive is tried.
 template <class Stored, class Structure>
@@ -102,6 +96,26 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
     return counts;
   };
   report.counts = counted(rays.count, rays_per_task<Structure>(rays.count), std::cref(trace_some));
+}
+
+// Hits in order, through what takes so many tests each.
+template <class M, class Stored, class Structure>
+void list_hits(const SceneView<Stored>& scene, const Structure& structure, std::uint64_t tests,
+               const RayList& rays, const RayResults& results, const RaysRequest& request) {
+  const HitRules rules = hit_rules(request);
+  for_each_in_list(rays, request, tests, [&](std::size_t i) {
+    const auto ray = listed_ray<typename M::Real>(rays.rays, rays.format, i, scene.clip);
+    write_hits<M>(scene, seen_by(structure, i), ray.ray, rays.filters, rules, results, i);
+    to_list(ray.skipped, rays.format.origin, results, i * rules.row(), rules.row());
+  });
+}
+
+template <class Stored, class Structure>
+void find_closest(const SceneView<Stored>& scene, const Structure& structure, const RayList& places,
+                  const RayResults& results, const RaysRequest& request) {
+  for_each_in_list(places, request, tests_each(scene, structure), [&](std::size_t i) {
+    write_closest(scene, seen_by(structure, i), places.rays, places.format, places.filters, results, i);
+  });
 }
 
 } // namespace masu

@@ -15,17 +15,6 @@ void set_up_cuda(int device) {
   check(cudaFree(nullptr)); // makes a context
 }
 
-namespace {
-
-template <class Stored>
-void check_structure(const DeviceFilesOf<Stored>& files, const StructureFile& structure) {
-  if (structure.residence() != Residence::file) return;
-  const char* const fault = fault_of(DeviceChecker(files.memory), *files.structure.records);
-  if (fault != nullptr) throw_damaged(structure.path(), fault);
-}
-
-} // namespace
-
 template <class Stored>
 unsigned checked_kinds(const DeviceFilesOf<Stored>& files, const SceneFile& scene) {
   const DeviceChecker checker(files.memory);
@@ -44,7 +33,10 @@ template unsigned checked_kinds(const DeviceFilesOf<double>&, const SceneFile&);
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const StructureFile* structure,
                                                      int device) {
   return files_on(device, scene, structure, [&](auto& files, Transfer& upload) {
-    if (structure != nullptr) check_structure(files, *structure);
+    if (structure != nullptr && structure->residence() == Residence::file) {
+      const char* const fault = fault_of(DeviceChecker(files.memory), *files.structure.records);
+      if (fault != nullptr) throw_damaged(structure->path(), fault);
+    }
     if (files.is_hierarchy()) files.upload_leaves(scene, upload);
     return checked_kinds(files, scene);
   });
@@ -74,23 +66,5 @@ void launch_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling
       bytes[3 * i + static_cast<std::uint64_t>(channel)] = byte_of<false>(pixel[channel]);
   });
 }
-
-template <class Real, class Stored>
-void launch_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
-                       const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream) {
-  const HitRecord* const hits = found.data();
-  for_each_on_device(found.size(), stream, [=] __device__(std::uint64_t i) {
-    const auto columns = static_cast<std::uint64_t>(rays.columns);
-    const Ray<Real> ray =
-        camera_ray(rays, static_cast<std::int32_t>(i % columns), static_cast<std::int32_t>(i / columns));
-    write_attributes(scene, NoStructure{}, ray, listed(hits[i]), results, i);
-  });
-}
-template void launch_attributes(const SceneView<float>&, const CameraRays<float>&,
-                                const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
-template void launch_attributes(const SceneView<float>&, const CameraRays<double>&,
-                                const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
-template void launch_attributes(const SceneView<double>&, const CameraRays<double>&,
-                                const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
 
 } // namespace masu

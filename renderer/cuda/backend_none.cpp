@@ -39,7 +39,7 @@ std::shared_ptr<const DeviceFiles> placed_files_cuda(const DeviceFiles&, const P
 unsigned kinds_on(const DeviceFiles&) {
   refuse();
 }
-ResidentRays upload_rays_cuda(const RayList&, int) {
+std::shared_ptr<std::uint8_t> uploaded_cuda(std::span<const std::uint8_t>, int) {
   refuse();
 }
 void render_cuda(const DeviceFiles&, const FrameRequest&, Frame&) {

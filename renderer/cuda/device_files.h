@@ -18,34 +18,25 @@ template <class T>
 class Pool {
 public:
   // Given back at the end of its life.
-  struct Borrowed {
-    Pool& pool;
-    std::unique_ptr<T> taken;
-    T* operator->() const { return taken.get(); }
-    T& operator*() const { return *taken; }
-    ~Borrowed() { pool.give_back(std::move(taken)); }
-  };
-  Borrowed borrow() { return {*this, take()}; }
+  auto borrow() {
+    auto give_back = [this](T* taken) {
+      const std::lock_guard lock(mutex_);
+      free_.emplace_back(taken);
+    };
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) {
+      free_.reserve(++made_); // so that giving back can't fail
+      free_.push_back(std::make_unique<T>());
+    }
+    std::unique_ptr<T, decltype(give_back)> taken(free_.back().release(), give_back);
+    free_.pop_back();
+    return taken;
+  }
 
   // None is borrowed.
   void clear() { free_.clear(); }
 
 private:
-  std::unique_ptr<T> take() {
-    const std::lock_guard lock(mutex_);
-    if (free_.empty()) {
-      free_.reserve(++made_); // so that giving back can't fail
-      return std::make_unique<T>();
-    }
-    std::unique_ptr<T> taken = std::move(free_.back());
-    free_.pop_back();
-    return taken;
-  }
-  void give_back(std::unique_ptr<T> taken) {
-    const std::lock_guard lock(mutex_);
-    free_.push_back(std::move(taken));
-  }
-
   std::mutex mutex_;
   std::vector<std::unique_ptr<T>> free_;
   std::size_t made_ = 0;

@@ -4,9 +4,9 @@
 
 #include "libgrid/file/structure_file.h"
 #include "libgrid/hierarchy/device_hierarchy.h"
-#include "libgrid/trace/any_structure.h"
+#include "libgrid/trace/trace.h"
 #include "libscene/base/atomic.h"
-#include "libscene/cuda/device_records.h"
+#include "libscene/cuda/transfer.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/mesh/device_triangles.h"
 #include "libscene/scene_view.h"
@@ -116,7 +116,7 @@ struct CornerToLeaf {
 };
 
 template <class Stored>
-struct PlacedOnDevice; // placed.h
+struct PlacedOnDevice; // placed_rays.h
 
 // A scene and its structure on the device.
 template <class Stored>
@@ -215,9 +215,9 @@ struct DeviceFilesOf {
   void upload_leaves(const SceneFile& file, Transfer& upload) {
     make_leaves(file, [&](const Transfer::Place& place) {
       if (const Triangle<Stored>* const in_host = file.view<Stored>().triangles)
-        upload.to_device(place, in_host, scene.view.triangle_count * sizeof(Triangle<Stored>));
+        upload.to_device(nullptr, in_host, scene.view.triangle_count * sizeof(Triangle<Stored>), place);
       else if (scene.view.triangle_count > 0)
-        upload.to_device(place, file.reader<Triangle<Stored>>(fb::SceneSection::triangles));
+        upload.to_device(nullptr, file.reader<Triangle<Stored>>(fb::SceneSection::triangles), place);
       upload.run();
     });
   }

@@ -58,12 +58,6 @@ RayResults results_in(std::uint8_t* block, const ResultArrays& arrays, std::size
   return results;
 }
 
-double seconds_between(cudaEvent_t first, cudaEvent_t second) {
-  float milliseconds = 0;
-  check(cudaEventElapsedTime(&milliseconds, first, second));
-  return static_cast<double>(milliseconds) * 1e-3;
-}
-
 // Of a list, so many rays from `first` on.
 struct Piece {
   std::size_t first = 0, count = 0;
@@ -75,18 +69,9 @@ struct HostList {
   const RayList& rays;
   const RaysRequest& request;
   ResultArrays arrays;
-  std::size_t ray_bytes;
   DeviceArray<Counts> counts;
   DeviceArray<std::uint32_t> object_masks;
-
-  HostList(const DeviceFiles& files_, const RayList& rays_, const RayResults& results,
-           const RaysRequest& request_, const QueryReport& report)
-      : files(files_), rays(rays_), request(request_), arrays(arrays_of(results, hit_rules(request_).row())),
-        ray_bytes(rays_.format.bytes_per_ray()),
-        counts(&report.counts, files_.are_counted(request_.tracing) ? 1 : 0, {nullptr, files_.memory->pool}),
-        object_masks(rays_.filters.object_masks, rays_.filters.object_count, {nullptr, files_.memory->pool}) {
-    if (counts.size() + object_masks.size() > 0) check(cudaStreamSynchronize(nullptr));
-  }
+  std::size_t ray_bytes = rays.format.bytes_per_ray();
 
   bool is_short() const { return rays.count <= std::min(rays_in_place, rays_per_piece(request)); }
   const std::uint8_t* rays_of(const Piece& piece) const {
@@ -108,11 +93,11 @@ struct HostList {
     };
     const DeviceArray<std::uint32_t> excluded = one_per_ray(rays.filters.excluded),
                                      ray_masks = one_per_ray(rays.filters.ray_masks),
-                                     excluded_objects = one_per_ray(rays.placed_filters.excluded_objects),
-                                     worlds = one_per_ray(rays.placed_filters.worlds);
+                                     excluded_objects = one_per_ray(rays.filters.excluded_objects),
+                                     worlds = one_per_ray(rays.filters.worlds);
     RayList list(from, piece.count, rays.format);
-    list.filters = {excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
-    list.placed_filters = {excluded_objects.data(), worlds.data()};
+    list.filters = {excluded.data(),     ray_masks.data(),        object_masks.data(),
+                    object_masks.size(), excluded_objects.data(), worlds.data()};
     return launcher_of(files, request)(files, list, results_in(found, arrays, piece.count), request,
                                        counts.data(), stream, nullptr);
   }
@@ -203,11 +188,19 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const RayList& rays, const
   QueryReport report;
   if (rays.count == 0) return report;
   const DeviceScope device(files.memory->device);
-  const HostList list(files, rays, results, request, report);
+  const StreamMemory memory{nullptr, files.memory->pool};
+  DeviceArray<Counts> counts(&report.counts, files.are_counted(request.tracing) ? 1 : 0, memory);
+  DeviceArray<std::uint32_t> masks(rays.filters.object_masks, rays.filters.object_count, memory);
+  if (counts.size() + masks.size() > 0) check(cudaStreamSynchronize(nullptr));
+  const ResultArrays arrays = arrays_of(results, hit_rules(request).row());
+  const HostList list{files, rays, request, arrays, std::move(counts), std::move(masks)};
   const auto borrowed = files.memory->buffers.borrow();
   struct Drain { // after an error something may still be copied to them
     HostRayBuffers& buffers;
-    ~Drain() { buffers.drain(); }
+    ~Drain() {
+      for (const auto& piece : buffers.pieces)
+        if (piece) static_cast<void>(cudaStreamSynchronize(piece->stream));
+    }
   } const drain{*borrowed};
   if (list.is_short() && borrowed->is_used) {
     if (request.progress) request.progress(0);

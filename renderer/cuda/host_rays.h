@@ -5,7 +5,6 @@
 #include "libscene/cuda/device_memory.h"
 #include "libscene/cuda/near_device.h"
 
-#include <memory>
 #include <optional>
 
 namespace masu {
@@ -39,8 +38,7 @@ struct FrameBuffers {
 };
 
 // Of one list of rays.
-class HostRayBuffers {
-public:
+struct HostRayBuffers {
   struct Piece {
     Stream stream;
     Event begun, uploaded, traced, downloaded;
@@ -49,18 +47,11 @@ public:
   };
   // Made when it is first asked for: short lists need one.
   Piece& piece(std::size_t turn) {
-    std::unique_ptr<Piece>& own = pieces_[turn % pieces_in_flight];
-    if (own == nullptr) own = std::make_unique<Piece>();
-    return *own;
+    std::optional<Piece>& own = pieces[turn % pieces_in_flight];
+    return own ? *own : own.emplace();
   }
+  std::optional<Piece> pieces[pieces_in_flight];
   bool is_used = false; // by a query before
-  void drain() const {
-    for (const auto& own : pieces_)
-      if (own != nullptr) static_cast<void>(cudaStreamSynchronize(own->stream));
-  }
-
-private:
-  std::unique_ptr<Piece> pieces_[pieces_in_flight];
 };
 
 } // namespace masu

@@ -1,4 +1,4 @@
-// How kernels are sized, launched and timed. CUDA sources only.
+// How kernels are sized and launched. CUDA sources only.
 #pragma once
 
 #include "libscene/cuda/device_memory.h"
@@ -27,14 +27,6 @@ KernelSize load(Kernel* kernel) {
   cudaFuncAttributes attributes;
   check(cudaFuncGetAttributes(&attributes, kernel));
   return {attributes.numRegs, static_cast<std::int32_t>(attributes.localSizeBytes)};
-}
-
-// Seconds of what launch() puts on the stream, which is waited for.
-template <class Launch>
-double timed(cudaStream_t stream, const Launch& launch) {
-  const DeviceTimer timer(stream);
-  launch();
-  return timer.seconds();
 }
 
 // How many blocks of so many threads run at once: `each` on a multiprocessor, or for 0 as many as fit.

@@ -5,6 +5,21 @@
 
 namespace masu {
 
+__device__ inline void add(Counts* total, const Counts& part) {
+  if (total == nullptr) return;
+  for_each_count(*total, part, [](std::uint64_t& sum, std::uint64_t count) {
+    if (count != 0) atomicAdd(reinterpret_cast<unsigned long long*>(&sum), count);
+  });
+}
+__device__ inline void add(Counts*, const NoCounts&) {}
+
+// The method as kernels have it. The same bits, but where there are cones, whose test leaves no registers for
+// the plane across the ray, each triangle's test finds that for itself.
+template <class M>
+using OnDevice = std::conditional_t<std::is_same_v<typename M::TestRay, WatertightRay<float>> &&
+                                        (M::kinds & with_cones) != 0,
+                                    Method<PreparedRay<float>, M::kinds>, M>;
+
 // A list of rays in device memory, in the arithmetic's numbers, on its way through a stream.
 template <class Real>
 struct RayBatch {
@@ -27,10 +42,6 @@ void render_on_device(const DeviceFiles& device_files, const FrameRequest& reque
 // The picture's pixels of the radiance along all its rays.
 void launch_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
                   const DeviceArray<std::uint8_t>& rgb, cudaStream_t stream);
-// Of camera rays that were traced.
-template <class Real, class Stored>
-void launch_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
-                       const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream);
 // Of placed meshes: with names and attributes; not by `fast`.
 template <class TestRay, class Stored>
 KernelSize launch_placed(const DeviceFilesOf<Stored>& files, const RayList& list, const RaysRequest& request,

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "libscene/base/stopwatch.h"
-#include "renderer/cuda/device_method.h"
 #include "renderer/cuda/ray_batch.h"
 #include "renderer/render_pixel.h"
 
@@ -32,6 +31,19 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
   if (row < counted_rows) add(total, counts);
 }
 
+// Of camera rays that were traced.
+template <class Real, class Stored>
+void launch_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
+                       const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream) {
+  const HitRecord* const hits = found.data();
+  for_each_on_device(found.size(), stream, [=] __device__(std::uint64_t i) {
+    const auto columns = static_cast<std::uint64_t>(rays.columns);
+    const Ray<Real> ray =
+        camera_ray(rays, static_cast<std::int32_t>(i % columns), static_cast<std::int32_t>(i / columns));
+    write_attributes(scene, NoStructure{}, ray, {hits[i].t, static_cast<PrimitiveIndex>(hits[i].name)},
+                     results, i);
+  });
+}
 // Traces a picture with rays of this arithmetic. Throws Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFiles& device_files, const FrameRequest& request, FrameBuffers& buffers,
@@ -59,16 +71,16 @@ void render_on_device(const DeviceFiles& device_files, const FrameRequest& reque
         };
         auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(structure)>, C>;
         frame.kernel = load(kernel);
-        frame.seconds.trace = timed(stream, [&] {
-          launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
-                 files.scene.view, files.scene.lighting, structure, rays, request.rules, colors.data(),
-                 hits.data(), total.data(), RayCosts{cells.data(), tests.data()},
-                 frame.rows - (request.count_last_row ? 0 : 1));
-          if (request.rgb) launch_bytes(colors.data(), frame.columns, request.sampling, rgb, stream);
-          if (request.attributes)
-            launch_attributes(files.scene.view, rays, hits, attribute_results(objects.data(), normals.data()),
-                              stream);
-        });
+        const DeviceTimer timer(stream);
+        launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
+               files.scene.view, files.scene.lighting, structure, rays, request.rules, colors.data(),
+               hits.data(), total.data(), RayCosts{cells.data(), tests.data()},
+               frame.rows - (request.count_last_row ? 0 : 1));
+        if (request.rgb) launch_bytes(colors.data(), frame.columns, request.sampling, rgb, stream);
+        if (request.attributes)
+          launch_attributes(files.scene.view, rays, hits, attribute_results(objects.data(), normals.data()),
+                            stream);
+        frame.seconds.trace = timer.seconds();
       });
   const Stopwatch watch;
   const auto download = [&](const auto& array, auto& to) {

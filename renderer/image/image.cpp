@@ -8,7 +8,6 @@
 
 #include <cstring>
 #include <string_view>
-#include <vector>
 
 namespace masu {
 namespace {
@@ -19,13 +18,16 @@ constexpr std::int32_t rows_per_task = 16;
 template <class Convert>
 std::vector<std::uint8_t> bytes_of(const Frame& frame, Sampling sampling, std::size_t pixel_bytes,
                                    const Convert& convert) {
-  const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
+  const std::int32_t more = rays_beyond_pixels(sampling), width = frame.columns - more,
+                     height = frame.rows - more;
   std::vector<std::uint8_t> bytes(pixel_bytes * static_cast<std::size_t>(width) *
                                   static_cast<std::size_t>(height));
   parallel_ranges(static_cast<std::uint64_t>(height), rows_per_task, [&](std::size_t begin, std::size_t end) {
     std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
     for (std::size_t row = begin; row != end; ++row) {
-      image_row(frame, sampling, static_cast<std::int32_t>(row), pixels);
+      const Vec3f* const top = frame.radiance.data() + row * static_cast<std::size_t>(frame.columns);
+      for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = pixel_at(top + i, frame.columns, sampling);
       convert(row, pixels, bytes.data());
     }
   });
@@ -55,27 +57,13 @@ ImageFormat image_format(const std::string& path) {
   throw Error(ErrorCode::usage, path, "pictures are PNG, JPEG or PFM: name it .png, .jpg or .pfm");
 }
 
-std::int32_t image_width(const Frame& frame, Sampling sampling) {
-  return frame.columns - rays_beyond_pixels(sampling);
-}
-std::int32_t image_height(const Frame& frame, Sampling sampling) {
-  return frame.rows - rays_beyond_pixels(sampling);
-}
-
-void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::span<Vec3f> pixels) {
-  const auto columns = static_cast<std::size_t>(frame.columns);
-  const Vec3f* const top = frame.radiance.data() + static_cast<std::size_t>(row) * columns;
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    pixels[i] = pixel_at(top + i, frame.columns, sampling);
-}
-
 std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool srgb) {
   if (!frame.rgb.empty()) return {frame.rgb.begin(), frame.rgb.end()};
   return srgb ? rgb_of<true>(frame, sampling) : rgb_of<false>(frame, sampling);
 }
 
 std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling) {
-  const auto last = static_cast<std::size_t>(image_height(frame, sampling)) - 1;
+  const auto last = static_cast<std::size_t>(frame.rows - rays_beyond_pixels(sampling)) - 1;
   return bytes_of(frame, sampling, sizeof(Vec3f),
                   [&](std::size_t row, const std::vector<Vec3f>& pixels, std::uint8_t* all) {
                     const std::size_t row_bytes = pixels.size() * sizeof(Vec3f);

@@ -4,8 +4,8 @@
 #include "renderer/frame.h"
 #include "renderer/image/png_file.h"
 
-#include <span>
 #include <string>
+#include <vector>
 
 namespace masu {
 
@@ -13,14 +13,6 @@ enum class ImageFormat { png, jpeg, pfm };
 
 // By the file name's end, .png, .jpg, .jpeg or .pfm. Throws Error(usage, path, …) for another one.
 ImageFormat image_format(const std::string& path);
-
-// Pixels of a frame.
-std::int32_t image_width(const Frame& frame, Sampling sampling);
-std::int32_t image_height(const Frame& frame, Sampling sampling);
-
-// Row `row` from the top, linear: each pixel the mean of its four corners, or its centre. `pixels` has the
-// picture's width.
-void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::span<Vec3f> pixels);
 
 struct ImageOptions {
   ImageFormat format = ImageFormat::png;
@@ -30,8 +22,9 @@ struct ImageOptions {
   int quality = 0; // of a JPEG
 };
 
-// A frame's pixels as files have them. rgb_rows: 8 bits per channel, values above 1 are cut off; pfm_rows:
-// 32-bit floats, from the bottom row up, to follow pfm_head() and what lies below the frame.
+// A frame's pixels as files have them, each the mean of its four corners, or its centre. rgb_rows: 8 bits per
+// channel, values above 1 are cut off; pfm_rows: 32-bit floats, from the bottom row up, to follow pfm_head()
+// and what lies below the frame.
 std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool srgb);
 std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling);
 std::string pfm_head(std::int32_t width, std::int32_t height);

@@ -21,15 +21,15 @@ std::int32_t blocks_of(std::int32_t pixels) {
   return (pixels + block - 1) / block;
 }
 
-void put(std::vector<std::uint8_t>& bytes, std::uint16_t number) { // big-endian
-  bytes.push_back(static_cast<std::uint8_t>(number >> 8));
-  bytes.push_back(static_cast<std::uint8_t>(number));
+std::array<std::uint8_t, 2> big_endian(std::size_t number) {
+  return {static_cast<std::uint8_t>(number >> 8), static_cast<std::uint8_t>(number)};
 }
 
 std::vector<std::uint8_t> segment(std::uint8_t marker, std::span<const std::uint8_t> data) {
-  std::vector<std::uint8_t> bytes{0xff, marker};
-  put(bytes, static_cast<std::uint16_t>(data.size() + 2));
-  bytes.insert(bytes.end(), data.begin(), data.end());
+  const auto [high, low] = big_endian(data.size() + 2);
+  std::vector<std::uint8_t> bytes{0xff, marker, high, low};
+  bytes.resize(bytes.size() + data.size());
+  std::ranges::copy_backward(data, bytes.end());
   return bytes;
 }
 
@@ -83,20 +83,17 @@ JpegWriter::JpegWriter(OutputFile& file, std::int32_t width, std::int32_t height
 void JpegWriter::write(std::span<const std::uint8_t> band) {
   Picture picture = parsed(band);
   const std::int32_t rows = jpeg_band_rows(width_), bands = (height_ + rows - 1) / rows;
-  picture.head[picture.frame + 5] = static_cast<std::uint8_t>(height_ >> 8);
-  picture.head[picture.frame + 6] = static_cast<std::uint8_t>(height_);
+  std::ranges::copy(big_endian(static_cast<std::size_t>(height_)), &picture.head[picture.frame + 5]);
   if (band_ == 0) {
     std::vector<std::uint8_t> bytes = comment_;
     if (bands > 1) {
-      std::vector<std::uint8_t> interval;
-      put(interval, static_cast<std::uint16_t>(blocks_of(width_) * (rows / block)));
-      const std::vector<std::uint8_t> more = segment(restart_interval, interval);
+      const auto blocks = static_cast<std::size_t>(blocks_of(width_) * (rows / block));
+      const std::vector<std::uint8_t> more = segment(restart_interval, big_endian(blocks));
       bytes.insert(bytes.end(), more.begin(), more.end());
     }
-    const auto frame = std::span(picture.head).subspan(picture.frame);
     file_.write(std::span(picture.head).first(picture.frame));
     file_.write(bytes);
-    file_.write(frame);
+    file_.write(std::span(picture.head).subspan(picture.frame));
     head_ = std::move(picture.head);
   } else {
     if (picture.head != head_)

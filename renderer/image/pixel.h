@@ -9,11 +9,6 @@
 
 namespace masu {
 
-// Rays at a pixel's corners are shared with its neighbours: there is a row and a column more of them.
-MASU_HD inline std::int32_t rays_beyond_pixels(Sampling sampling) {
-  return sampling == Sampling::corners ? 1 : 0;
-}
-
 // The pixel whose ray, or upper left corner, is *top; `columns` rays further on is the row below.
 MASU_HD inline Vec3f pixel_at(const Vec3f* top, std::int32_t columns, Sampling sampling) {
   if (sampling != Sampling::corners) return *top;

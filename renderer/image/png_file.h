@@ -14,6 +14,11 @@ namespace masu {
 // Keywords (1 to 79 characters) and texts, all ASCII.
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
+// A piece of a raw deflate stream (RFC 1951). Pieces one after the other are one stream, which the last piece
+// ends; they are compressed independently. The same bytes give the same piece. At most 1 GiB. Throws
+// std::bad_alloc.
+std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes, bool last);
+
 // A picture is compressed in bands of so many rows, which its width alone decides; the last one may be lower.
 // Bands are independent: whoever encodes them, in whatever order, the file is the same.
 std::int32_t png_band_rows(std::int32_t width);

@@ -108,13 +108,13 @@ RayLoop automatic_loop(const WarpCosts& costs, Query query) {
 }
 
 RayLoop UsualLoops::of(const ResidentTracer& tracer, bool coherent) {
-  std::atomic<int>& usual = usual_[coherent];
-  if (const int known = usual; known != unknown) return static_cast<RayLoop>(known);
-  const std::vector<Ray<double>> rays =
-      coherent ? camera_sample(tracer.scene()) : random_sample(tracer.scene());
-  const RayLoop found = automatic_loop(tracer, relative(rays), Query::nearest_hit, Precision::automatic);
-  usual = static_cast<int>(found);
-  return found;
+  if (tracer.is_hierarchy()) return RayLoop::automatic;
+  std::atomic<RayLoop>& loop = usual[coherent];
+  if (loop == RayLoop::automatic)
+    loop = automatic_loop(tracer,
+                          relative(coherent ? camera_sample(tracer.scene()) : random_sample(tracer.scene())),
+                          Query::nearest_hit, Precision::automatic);
+  return loop;
 }
 
 } // namespace masu

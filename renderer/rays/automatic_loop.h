@@ -34,13 +34,11 @@ inline RayLoop automatic_loop(const ResidentTracer& tracer, const RayList& rays,
 // scene's camera rays where neighbours are said to be coherent, else that of random rays through the scene's
 // bounds. Found out when first asked for; by each of several threads that ask at once, rather than that one
 // waits for another, which may be a task that waits for it. They all find the same.
-class UsualLoops {
-public:
-  RayLoop of(const ResidentTracer& tracer, bool coherent);
+struct UsualLoops {
+  // By whether neighbours are coherent; automatic: not known yet.
+  std::atomic<RayLoop> usual[2] = {RayLoop::automatic, RayLoop::automatic};
 
-private:
-  static constexpr int unknown = -1;
-  std::atomic<int> usual_[2] = {unknown, unknown}; // by whether neighbours are coherent
+  RayLoop of(const ResidentTracer& tracer, bool coherent);
 };
 
 } // namespace masu

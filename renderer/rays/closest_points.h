@@ -36,7 +36,7 @@ MASU_HD inline void write_closest(const SceneView<Stored>& scene, const Structur
     const Vec3d normal = length > 0 ? closest.normal * (1 / length) : closest.normal;
     set_name(scene, structure, primitive, found);
     if (primitive < scene.triangle_count)
-      set_on_triangle(found, scene, triangle_of(scene, structure, primitive), normal, closest.weight_b,
+      set_on_triangle(found, scene, leaf_of(scene, structure, primitive).record, normal, closest.weight_b,
                       closest.weight_c);
     else
       found.normal = found.shading = cast<float>(normal);

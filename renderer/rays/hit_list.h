@@ -7,14 +7,17 @@
 
 namespace masu {
 
-// What rays of a list don't hit, each null where that is nothing.
+// What rays of a list don't hit, each null where that is nothing; and of placed meshes (placed_rays.h), for
+// each ray or null, the object that its excluded primitive is of, and its world.
 struct RayFilters {
   const PrimitiveIndex* excluded = nullptr;    // a primitive for each ray, or no_primitive
   const std::uint32_t* ray_masks = nullptr;    // for each ray; null: all bits
   const std::uint32_t* object_masks = nullptr; // for each object
   std::size_t object_count = 0;                // of object_masks: all of the scene's
+  const std::uint32_t *excluded_objects = nullptr, *worlds = nullptr;
 
   bool any() const { return excluded != nullptr || ray_masks != nullptr || object_masks != nullptr; }
+  bool any_of_placed() const { return excluded_objects != nullptr || worlds != nullptr; }
   // Of ray i, with faces and edges as they are by default.
   MASU_HD HitFilter of(std::size_t i) const {
     HitFilter filter;
@@ -23,14 +26,6 @@ struct RayFilters {
     if (ray_masks != nullptr) filter.ray_mask = ray_masks[i];
     return filter;
   }
-};
-
-// Besides, of placed meshes (placed_rays.h), for each ray or null: the object that its excluded primitive is
-// of, and its world. Apart, for kernels of other scenes don't take them.
-struct PlacedFilters {
-  const std::uint32_t *excluded_objects = nullptr, *worlds = nullptr;
-
-  bool any() const { return excluded_objects != nullptr || worlds != nullptr; }
 };
 
 // What is asked of each ray. With Faces::both, no filters and no t64, nearest_hit and occlusion are
@@ -44,7 +39,8 @@ struct HitRules {
   MASU_HD std::uint32_t row() const { return query == Query::all_hits ? limit : 1; }
 };
 
-// What depends on how a scene's primitives are held: what a ray doesn't hit, and the numbers of its hits.
+// What depends on how a scene's primitives are held (placed_rays.h): what a ray doesn't hit, and the numbers
+// of its hits.
 template <class Structure>
 MASU_HD inline HitFilter filter_of(const Structure&, const RayFilters& filters, std::size_t i) {
   return filters.of(i);
@@ -52,6 +48,13 @@ MASU_HD inline HitFilter filter_of(const Structure&, const RayFilters& filters, 
 template <class Structure>
 MASU_HD inline PrimitiveIndex reported_primitive(const Structure&, PrimitiveIndex primitive) {
   return primitive;
+}
+
+// Writes of ray i's nearest hit what follows from its number.
+template <class Real, class Stored, class Structure>
+MASU_HD inline void write_named(const SceneView<Stored>& scene, const Structure&, const Ray<Real>& ray,
+                                const Hit<float>& hit, const RayResults& results, std::size_t i) {
+  if (results.has_attributes()) write_attributes(scene, NoStructure{}, ray, hit, results, i);
 }
 
 // Writes the results of ray i.

@@ -10,12 +10,18 @@
 
 namespace masu {
 
+// Placed meshes, as the rays of a list see them.
 template <class Stored>
-MASU_HD inline PlacedRay<Stored> placed_ray(const PlacedView<Stored>& placed, const RayFilters& filters,
-                                            const PlacedFilters& placed_filters, std::size_t i) {
-  PlacedRay<Stored> ray{placed};
-  if (placed_filters.worlds != nullptr) ray.world = placed_filters.worlds[i];
-  if (placed_filters.excluded_objects != nullptr) ray.excluded_object = placed_filters.excluded_objects[i];
+struct PlacedList {
+  PlacedView<Stored> placed;
+  RayFilters filters;
+};
+template <class Stored>
+MASU_HD inline PlacedRay<Stored> seen_by(const PlacedList<Stored>& list, std::size_t i) {
+  const RayFilters& filters = list.filters;
+  PlacedRay<Stored> ray{list.placed};
+  if (filters.worlds != nullptr) ray.world = filters.worlds[i];
+  if (filters.excluded_objects != nullptr) ray.excluded_object = filters.excluded_objects[i];
   if (filters.ray_masks != nullptr) ray.mask = filters.ray_masks[i];
   ray.object_masks = filters.object_masks;
   return ray;
@@ -56,11 +62,6 @@ MASU_HD inline void set_name(const SceneView<Stored>& scene, const PlacedRay<Sto
     found.object = placed.placement_of(number);
     found.face = number - placed.first_triangles[found.object];
   }
-}
-template <class Stored>
-MASU_HD inline Triangle<Stored> triangle_of(const SceneView<Stored>&, const PlacedRay<Stored>& seen,
-                                            PrimitiveIndex number) {
-  return seen.placed.leaf(number).record;
 }
 template <class Stored>
 MASU_HD inline Leaf<Stored> leaf_of(const SceneView<Stored>& scene, const PlacedRay<Stored>& seen,

@@ -20,7 +20,6 @@ struct RayList {
   std::size_t count = 0;
   RayFormat format{};
   RayFilters filters{};
-  PlacedFilters placed_filters{};
 
   RayList() = default;
   RayList(const void* rays_, std::size_t count_, const RayFormat& format_)

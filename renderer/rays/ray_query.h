@@ -31,13 +31,6 @@ struct RayFormat {
 template <class Real>
 inline constexpr RayFormat own_format{8, sizeof(Real) == sizeof(double)};
 
-// Whether rays are stored as Ray<Real> has them, and nothing is subtracted.
-template <class Real>
-bool is_own(const RayFormat& format) {
-  return format.is_float64 == own_format<Real>.is_float64 && format.numbers == 8 &&
-         format.origin == Vec3d{0, 0, 0};
-}
-
 template <class Number>
 MASU_HD inline Ray<Number> loaded_numbers(const Number* n, int numbers) {
   if (numbers == 6) return {{n[0], n[1], n[2]}, 0, {n[3], n[4], n[5]}, static_cast<Number>(INFINITY)};
@@ -57,25 +50,21 @@ MASU_HD inline Ray<Real> rounded(const Ray<double>& ray) {
 
 // A float32 limit in float64: halfway to the next number on the inside, for a t that rounds to the limit
 // isn't between the limits.
-MASU_HD inline double upper_limit(float t) {
-  return t > 0 ? (static_cast<double>(t) + static_cast<double>(next_below(t))) / 2 : static_cast<double>(t);
-}
-MASU_HD inline double lower_limit(float t) {
-  return t > 0 ? (static_cast<double>(t) + static_cast<double>(next_above(t))) / 2 : static_cast<double>(t);
-}
-MASU_HD inline double upper_limit(double t) {
-  return t;
-}
-MASU_HD inline double lower_limit(double t) {
-  return t;
+template <class Number>
+MASU_HD inline double limit_in_float64(Number t, Number inside) {
+  if constexpr (sizeof(Number) == sizeof(double))
+    return t;
+  else
+    return t > 0 ? (static_cast<double>(t) + static_cast<double>(inside)) / 2 : static_cast<double>(t);
 }
 
 // Ray i of a list, relative to the scene's origin.
 MASU_HD inline Ray<double> in_float64(const void* rays, const RayFormat& format, std::size_t i) {
   const std::size_t first = i * static_cast<std::size_t>(format.numbers);
   const auto converted = [&](const auto& ray) {
-    return Ray<double>{cast<double>(ray.origin) - format.origin, lower_limit(ray.t_min),
-                       cast<double>(ray.direction), upper_limit(ray.t_max)};
+    return Ray<double>{cast<double>(ray.origin) - format.origin,
+                       limit_in_float64(ray.t_min, next_above(ray.t_min)), cast<double>(ray.direction),
+                       limit_in_float64(ray.t_max, next_below(ray.t_max))};
   };
   return format.is_float64
              ? converted(loaded_numbers(static_cast<const double*>(rays) + first, format.numbers))
@@ -307,12 +296,8 @@ MASU_HD inline void write_attributes(const HitAttributes& hit, const RayResults&
     results.uv[i][0] = hit.u;
     results.uv[i][1] = hit.v;
   }
-  if (results.normal != nullptr) {
-    results.normal[i][0] = hit.normal.x;
-    results.normal[i][1] = hit.normal.y;
-    results.normal[i][2] = hit.normal.z;
-  }
   for (int axis = 0; axis < 3; ++axis) {
+    if (results.normal != nullptr) results.normal[i][axis] = hit.normal[axis];
     if (results.position != nullptr) results.position[i][axis] = hit.position[axis];
     if (results.shading != nullptr) results.shading[i][axis] = hit.shading[axis];
   }
@@ -335,7 +320,7 @@ MASU_HD inline void set_on_triangle(HitAttributes& found, const SceneView<Stored
 // What depends on how a scene's primitives are held (placed_rays.h): a list's structure as ray i sees it, how
 // a hit is named, and its record.
 template <class Structure>
-inline const Structure& seen_by(const Structure& structure, std::size_t) {
+MASU_HD inline const Structure& seen_by(const Structure& structure, std::size_t) {
   return structure;
 }
 template <class Structure>
@@ -345,11 +330,6 @@ MASU_HD inline void set_name(const SceneView<Stored>& scene, const Structure&, P
                              HitAttributes& found) {
   found.object = surface_of(scene, primitive).object;
   found.face = face_of(scene, primitive);
-}
-template <class Stored, class Structure>
-MASU_HD inline const Triangle<Stored>& triangle_of(const SceneView<Stored>& scene, const Structure&,
-                                                   PrimitiveIndex primitive) {
-  return *scene.triangle(primitive);
 }
 template <class Stored, class Structure>
 MASU_HD inline Leaf<Stored> leaf_of(const SceneView<Stored>& scene, const Structure&,
@@ -366,7 +346,7 @@ MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const Struc
   if (primitive != no_primitive) {
     set_name(scene, structure, primitive, found);
     if (primitive < scene.triangle_count) {
-      const Triangle<Stored>& triangle = triangle_of(scene, structure, primitive);
+      const Triangle<Stored> triangle = leaf_of(scene, structure, primitive).record;
       const TriangleHit hit = triangle_hit(near.ray, near.hit.t, triangle);
       set_on_triangle(found, scene, triangle, hit.normal, hit.u, hit.v);
     } else {
@@ -383,9 +363,7 @@ template <class Real, class Stored, class Structure>
 MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const Structure& structure,
                                      Ray<Real> ray, const Hit<float>& hit, const RayResults& results,
                                      std::size_t i) {
-  if (hit.primitive == no_primitive)
-    return write_attributes(scene, structure, NearHit<WatertightRay<Real>>{{}, {0, no_primitive}, 0}, results,
-                            i);
+  if (hit.primitive == no_primitive) return write_attributes(HitAttributes{}, results, i);
   const Real scale = scale_direction(ray);
   const Hit<Real> scaled{static_cast<Real>(hit.t) / scale, hit.primitive};
   const auto record = [&] { return leaf_of(scene, structure, hit.primitive); };

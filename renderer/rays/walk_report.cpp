@@ -3,7 +3,7 @@
 #include "libgrid/statistics/cells.h"
 #include "libgrid/statistics/statistics.h"
 #include "libscene/base/error.h"
-#include "renderer/dispatch.h"
+#include "renderer/cpu/on_cpu.h"
 #include "renderer/view_precision.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace masu {
 namespace {
@@ -38,9 +40,7 @@ VoxelBox cell_voxels(const MergedGridView<Real>& grid, const Vec3i& voxel) {
 template <class Structure>
 Boxd box_of(const Structure& grid, const VoxelBox& voxels) {
   const auto corner = [&](const Vec3i& plane) {
-    return cast<double>(grid.min) + cast<double>(grid.voxel_size) * Vec3d{static_cast<double>(plane.x),
-                                                                          static_cast<double>(plane.y),
-                                                                          static_cast<double>(plane.z)};
+    return cast<double>(grid.min) + cast<double>(grid.voxel_size) * cast<double>(plane);
   };
   return {corner(voxels.first), corner(voxels.end)};
 }
@@ -51,14 +51,9 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 // Why a walk ends where nothing is hit, unless the ray's end is reached before.
 WalkEnd end_without_hit(StructureForm form) {
-  switch (form) {
-  case StructureForm::none:
-    return WalkEnd::tested_all;
-  case StructureForm::hierarchy:
-    return WalkEnd::visited_all;
-  default:
-    return WalkEnd::left_grid;
-  }
+  return form == StructureForm::none        ? WalkEnd::tested_all
+         : form == StructureForm::hierarchy ? WalkEnd::visited_all
+                                            : WalkEnd::left_grid;
 }
 
 // Where a ray is in a box, from its origin on: between t = enter and exit, or nowhere where enter > exit.
@@ -101,8 +96,7 @@ public:
       next.parent = followed_;
     } else {
       if (!pending_.empty()) {
-        next.kind = pending_.back().kind;
-        next.parent = pending_.back().parent;
+        std::tie(next.kind, next.parent) = pending_.back();
         pending_.pop_back();
       }
       followed_ = static_cast<std::int32_t>(report_.rays.size());
@@ -114,23 +108,15 @@ public:
     skipped_t_ = near.skipped;
     exit_ = 0;
     if (meets_bounds) next.end = end_without_hit(report_.form);
-    if (meets_bounds && report_.form == StructureForm::none) {
-      WalkStep all;
-      all.box = report_.space;
-      all.enter = from_origin(0);
-      all.exit = never;
-      next.steps.push_back(std::move(all));
-    }
+    if (meets_bounds && report_.form == StructureForm::none)
+      next.steps.push_back({.box = report_.space, .enter = from_origin(0), .exit = never});
     const bool is_recorded =
         report_.rays.empty() ||
         (report_.more_rays == 0 && report_.rays.size() < request_.limits.rays && takes_room(sizeof(WalkRay)));
-    if (is_recorded) {
-      ray_ = &report_.rays.emplace_back(std::move(next));
-      step_ = ray_->steps.empty() ? nullptr : &ray_->steps.back();
-    } else {
-      not_recorded_ = std::move(next);
-      ray_ = &not_recorded_;
-      step_ = nullptr;
+    ray_ = is_recorded ? &report_.rays.emplace_back() : &not_recorded_;
+    *ray_ = std::move(next);
+    step_ = is_recorded && !ray_->steps.empty() ? &ray_->steps.back() : nullptr;
+    if (!is_recorded) {
       ++report_.more_rays;
       ++counted_;
     }
@@ -215,13 +201,12 @@ public:
   }
 
 private:
-  bool is_recorded() const { return ray_ != &not_recorded_; }
   // A step has all its tests, and no steps are left out before it.
   template <class References, class Describe>
   void add_step(const References& references, const Describe& describe) {
     show_progress();
     step_ = nullptr;
-    const bool is_next = is_recorded() && ray_->steps.size() + 1 == ray_->cells;
+    const bool is_next = ray_ != &not_recorded_ && ray_->steps.size() + 1 == ray_->cells;
     WalkStep step;
     step.references = is_next ? references() : 0;
     if (!is_next || !takes_room(sizeof(WalkStep) + step.references * sizeof(WalkTest))) {
@@ -245,15 +230,11 @@ private:
     return t < RealTraits<Real>::largest ? static_cast<double>((t + skipped_t_) * scale_) : never;
   }
 
-  struct Spawned {
-    RayKind kind;
-    std::int32_t parent;
-  };
   WalkReport& report_;
   const WalkRequest& request_;
   Real scale_;
-  std::vector<Spawned> pending_{};
-  std::int32_t followed_ = -1; // the last ray that isn't a shadow ray
+  std::vector<std::pair<RayKind, std::int32_t>> pending_{}; // spawned, and by which ray
+  std::int32_t followed_ = -1;                              // the last ray that isn't a shadow ray
   // Of the ray that is traced now.
   WalkRay* ray_ = nullptr;   // one of the report's, or not_recorded_
   WalkStep* step_ = nullptr; // null where its tests are only counted
@@ -282,10 +263,9 @@ void record(const SceneFile& file, const SceneView<Stored>& scene, const Structu
             const WalkRequest& request, WalkReport& report) {
   using Real = typename M::Real;
   Ray<double> given = request.ray;
-  if (request.all_rays)
-    given =
-        unbounded_ray(given.origin, std::abs(length(given.direction) - 1) > 1e-6 ? normalized(given.direction)
-                                                                                 : given.direction);
+  if (request.all_rays) given = unbounded_ray(given.origin, given.direction);
+  if (request.all_rays && std::abs(length(given.direction) - 1) > 1e-6)
+    given.direction = normalized(given.direction);
   RayFormat format = own_format<double>;
   if (!request.is_relative) format.origin = file.origin();
   const Ray<Real> start = loaded<Real>(&given, format, 0);
@@ -340,15 +320,11 @@ WalkReport trace_walk(const ResidentTracer& tracer, const WalkRequest& request) 
   }
   TracingRules rules = request.tracing;
   rules.count = true; // the code for all kinds
-  with_store_and_arithmetic(
-      tracer.scene(), rules.precision,
-      [&]<class TestRay, class Stored>(const SceneView<Stored>& scene, Arithmetic<TestRay>) {
-        with_method<TestRay, Stored>(records_of(structure), rules,
-                                     [&]<class M, class C>(const auto& accelerator, M, C) {
-                                       if constexpr (std::is_same_v<C, Counts>)
-                                         record<M>(tracer.scene(), scene, accelerator, request, report);
-                                     });
-      });
+  with_everything(tracer.scene(), structure, rules,
+                  [&]<class M, class C>(const auto& scene, const auto& accelerator, M, C) {
+                    if constexpr (std::is_same_v<C, Counts>)
+                      record<M>(tracer.scene(), scene, accelerator, request, report);
+                  });
   move_to_world(tracer.scene().origin(), report);
   tracer.scene().check_unchanged();
   if (structure != nullptr) structure->check_unchanged();
@@ -388,24 +364,18 @@ const char* name_of(WalkEnd end) {
 }
 
 std::string description_of(const WalkRay& ray) {
-  switch (ray.end) {
-  case WalkEnd::missed:
-    return "the ray misses the scene's bounds";
-  case WalkEnd::hit:
-    return ray.kind == RayKind::shadow ? "something is hit: the light is occluded"
-                                       : "nothing that is still to come can be nearer than the hit";
-  case WalkEnd::t_max:
-    return ray.kind == RayKind::shadow ? "the light is reached: it isn't occluded"
-                                       : "the ray's end is reached";
-  case WalkEnd::left_grid:
-    return "the ray leaves the grid";
-  case WalkEnd::visited_all:
-    return ray.kind == RayKind::shadow ? "all boxes on the way were visited: the light isn't occluded"
-                                       : "all boxes on the way were visited";
-  case WalkEnd::tested_all:
-    return "every primitive was tested";
-  }
-  return "";
+  const auto by_kind = [&](const char* of_shadow, const char* of_other) {
+    return ray.kind == RayKind::shadow ? of_shadow : of_other;
+  };
+  const std::array reasons{"the ray misses the scene's bounds",
+                           by_kind("something is hit: the light is occluded",
+                                   "nothing that is still to come can be nearer than the hit"),
+                           by_kind("the light is reached: it isn't occluded", "the ray's end is reached"),
+                           "the ray leaves the grid",
+                           by_kind("all boxes on the way were visited: the light isn't occluded",
+                                   "all boxes on the way were visited"),
+                           "every primitive was tested"};
+  return reasons.at(static_cast<std::size_t>(ray.end));
 }
 
 } // namespace masu

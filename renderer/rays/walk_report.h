@@ -4,7 +4,7 @@
 #pragma once
 
 #include "libgrid/grid/grid_layout.h"
-#include "libgrid/trace/any_structure.h"
+#include "libgrid/trace/trace.h"
 #include "renderer/tracer/tracer.h"
 
 #include <cmath>

@@ -13,7 +13,7 @@ WindingClusters winding_clusters(const SceneFile& scene, const StructureFile* hi
       throw Error(ErrorCode::usage, "scene", "has spheres or cones: winding numbers are of triangles alone");
     if (hierarchy == nullptr) return WindingClusters{};
     const StructureRecords& records = hierarchy->records();
-    return winding_clusters(view, hierarchy->hierarchy_view<Stored>(), records.node_count,
+    return winding_clusters(view, hierarchy_view_of<Stored>(records), records.node_count,
                             records.reference_count);
   });
 }
@@ -23,7 +23,8 @@ void winding_numbers(const SceneFile& scene, const StructureFile* hierarchy, con
                      const std::function<void(double)>& progress) {
   ListProgress list_progress(progress, places.count, 16, scene.primitive_count());
   scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
-    const auto nodes = hierarchy != nullptr ? hierarchy->hierarchy_view<Stored>() : HierarchyView<Stored>{};
+    const auto nodes =
+        hierarchy != nullptr ? hierarchy_view_of<Stored>(hierarchy->records()) : HierarchyView<Stored>{};
     parallel_ranges(places.count, 64, [&](std::size_t begin, std::size_t end) {
       std::vector<UndividedCluster> room;
       for (std::size_t i = begin; i != end; ++i) {

@@ -5,7 +5,6 @@
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/cuda/host_copies.h"
 #include "renderer/backend.h"
-#include "renderer/precision.h"
 
 #include <fmt/format.h>
 
@@ -13,13 +12,6 @@
 #include <utility>
 
 namespace masu {
-namespace {
-
-[[noreturn]] void fail(const char* place, const std::string& what) {
-  throw Error(ErrorCode::usage, place, what);
-}
-
-} // namespace
 
 PlacedTracer::PlacedTracer(std::shared_ptr<const PlacedScene> scene, HierarchyQuality quality,
                            bool is_brute_force, std::vector<int> gpus,
@@ -59,7 +51,7 @@ RaysRequest PlacedTracer::resolved(const RayList& rays, const RayResults& result
   RayList checked = rays;
   if (rays.filters.object_masks == nullptr) checked.filters.ray_masks = nullptr; // placements have their own
   check_query(checked, results, resolved, scene_->objects());
-  if ((rays.filters.excluded != nullptr) != (rays.placed_filters.excluded_objects != nullptr))
+  if ((rays.filters.excluded != nullptr) != (rays.filters.excluded_objects != nullptr))
     fail("exclude", "needs the objects of its primitives, too: placements");
   return resolved;
 }

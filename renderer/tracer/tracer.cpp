@@ -35,8 +35,12 @@ ResidentTracer::ResidentTracer(const SceneFile& scene, const StructureFile* stru
   on_threads(
       gpus_.size(), [&](std::size_t i) { files_[i] = upload(gpus_[i]); }, meanwhile);
   upload_seconds_ = watch.seconds();
-  kinds_ = device == Device::cuda ? kinds_on(*files_.front())
-                                  : scene.with_view([](const auto& view) { return kinds_in(view); });
+  kinds_ =
+      device == Device::cuda
+          ? kinds_on(*files_.front())
+          : scene.with_view([]<class Stored>(const SceneView<Stored>& view) {
+              return kinds_in(view, std::any_of(view.cones, view.cones + view.cone_count, tapers<Stored>));
+            });
 }
 
 void ResidentTracer::check_unchanged() const {

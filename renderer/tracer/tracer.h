@@ -49,7 +49,6 @@ public:
   // Null for brute force, and what was built here.
   const StructureFile* structure() const { return structure_; }
   bool is_hierarchy() const { return is_hierarchy_; }
-  bool is_built_here() const { return is_hierarchy_ && structure_ == nullptr; }
   // A copy of what was built here, for a tracer that wasn't moved.
   StructureFile built_hierarchy() const;
   // Of putting the files on the device, and of checking them.
@@ -57,7 +56,7 @@ public:
 
   // Precision::automatic is that of the view (view_precision.h), and of a list of rays that of the store.
   //
-  // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), for a depth that isn't from
+  // Throw Error(usage) for a precision that doesn't hold the scene (resolved()), for a depth that isn't from
   // 1 to largest_depth or a window that isn't within the picture, for results that a query needs and doesn't
   // have, and for hits in order that aren't to be had: by `fast`, with StopRule::first_cell, counted, or more
   // than max_hits_per_ray; Error(device).

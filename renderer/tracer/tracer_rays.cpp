@@ -1,4 +1,6 @@
-// A tracer's queries of lists of rays: who doesn't call them doesn't link them.
+// A tracer's queries of lists of rays, and tracers whose hierarchy GPUs have built, or fitted to a scene that
+// has moved: who doesn't call them doesn't link them.
+#include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/error.h"
 #include "libscene/base/on_threads.h"
 #include "renderer/backend.h"
@@ -13,32 +15,21 @@
 namespace masu {
 namespace {
 
-[[noreturn]] void fail(const char* place, const std::string& what) {
-  throw Error(ErrorCode::usage, place, what);
-}
-
-// Rounded to the arithmetic's numbers, in memory of the device.
+// Rounded to the arithmetic's numbers, in memory of the device, and their results behind them.
 template <class Real>
 ResidentRays resident_rays(std::span<const Ray<double>> rays, const std::vector<int>& gpus) {
-  std::vector<Ray<Real>> rounded(rays.size());
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    rounded[i] = loaded<Real>(rays.data(), own_format<double>, i);
-  if (!gpus.empty()) return upload_rays_cuda(relative(RayList(rounded)), gpus.front());
-  struct Memory {
-    std::vector<Ray<Real>> rays;
-    std::vector<float> t;
-    std::vector<std::uint32_t> primitive;
-    std::vector<std::uint8_t> occluded;
-  };
-  const auto memory = std::make_shared<Memory>();
-  memory->rays = std::move(rounded);
-  memory->t.resize(rays.size());
-  memory->primitive.resize(rays.size());
-  memory->occluded.resize(rays.size());
-  ResidentRays resident{relative(RayList(memory->rays)), {}, memory};
-  resident.results.t = memory->t.data();
-  resident.results.primitive = memory->primitive.data();
-  resident.results.occluded = memory->occluded.data();
+  const std::size_t count = rays.size(), ray_bytes = count * sizeof(Ray<Real>),
+                    result_bytes = sizeof(float) + sizeof(std::uint32_t) + sizeof(std::uint8_t);
+  const auto block = std::make_shared<HostBytes>(ray_bytes + count * result_bytes);
+  for (std::size_t i = 0; i < count; ++i)
+    reinterpret_cast<Ray<Real>*>(block->data())[i] = loaded<Real>(rays.data(), own_format<double>, i);
+  const std::shared_ptr<std::uint8_t> memory = gpus.empty()
+                                                   ? std::shared_ptr<std::uint8_t>(block, block->data())
+                                                   : uploaded_cuda(*block, gpus.front());
+  ResidentRays resident{relative(RayList(memory.get(), count, own_format<Real>)), {}, memory};
+  resident.results.t = reinterpret_cast<float*>(memory.get() + ray_bytes);
+  resident.results.primitive = reinterpret_cast<std::uint32_t*>(resident.results.t + count);
+  resident.results.occluded = reinterpret_cast<std::uint8_t*>(resident.results.primitive + count);
   return resident;
 }
 
@@ -114,7 +105,8 @@ RaysRequest ResidentTracer::resolved(const RaysRequest& request, const RayList& 
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   check_query(rays, results, resolved_request, scene_.counts().objects);
-  if (rays.placed_filters.any()) fail("rays", "have worlds or excluded objects: the scene has no placements");
+  if (rays.filters.any_of_placed())
+    fail("rays", "have worlds or excluded objects: the scene has no placements");
   if (request.query == Query::closest_point) {
     if (structure_ != nullptr && !structure_->is_hierarchy())
       fail("structure", "is a grid: closest points are found through a hierarchy");
@@ -133,9 +125,8 @@ QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results
     check_unchanged();
     return report;
   }
-  std::atomic<std::size_t> next_piece = 0;
-  return trace_rays_cuda(*files_.at(index), relative_to(scene_.origin(), rays), results, resolved_request,
-                         next_piece);
+  return trace_by_gpus(std::span(files_).subspan(index, 1), relative_to(scene_.origin(), rays), results,
+                       resolved_request);
 }
 
 QueryReport ResidentTracer::trace(const RayList& rays, const RayResults& results,
@@ -182,6 +173,34 @@ ResidentRays ResidentTracer::upload(std::span<const Ray<double>> rays, Precision
 QueryReport ResidentTracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
   if (device_ == Device::cpu) return trace(rays.list, rays.results, request);
   return time_rays_cuda(*files_.front(), rays, resolved(request, rays.list, rays.results));
+}
+
+ResidentTracer ResidentTracer::by_fast_hierarchy(const SceneFile& scene, std::vector<int> gpus,
+                                                 const std::function<void(double)>& progress) {
+  ProgressMonitor monitor(progress);
+  std::function<void()> meanwhile;
+  if (gpus.size() > 1)
+    meanwhile = [&] { monitor.check(); }; // by the caller's thread, which else does it itself
+  ResidentTracer tracer(
+      scene, nullptr, Device::cuda, std::move(gpus),
+      [&](int gpu) { return built_files_cuda(scene, gpu, &monitor); }, meanwhile);
+  tracer.is_hierarchy_ = true;
+  return tracer;
+}
+
+StructureFile ResidentTracer::built_hierarchy() const {
+  const Structure built = built_hierarchy_cuda(*files_.front());
+  return structure_in_memory(
+      built, provenance_of(scene_.geometry(), scene_.primitive_count(), fast_hierarchy_options(), built));
+}
+
+std::optional<ResidentTracer> ResidentTracer::moved(const Vertices& vertices) const {
+  ResidentTracer tracer = *this;
+  on_threads(files_.size(), [&](std::size_t i) {
+    tracer.files_[i] = moved_files_cuda(*files_[i], scene_.origin(), vertices);
+  });
+  if (std::ranges::count(tracer.files_, nullptr) > 0) return std::nullopt;
+  return tracer;
 }
 
 } // namespace masu

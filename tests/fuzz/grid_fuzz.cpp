@@ -1,7 +1,6 @@
 // libFuzzer target: any bytes as a grid file throw Error, or all indices are valid. Seeds: files made by
 // gridbuild.
 #include "libgrid/file/structure_file.h"
-#include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/statistics.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/base/error.h"
@@ -16,6 +15,7 @@ struct Visitor {
   std::uint64_t primitive_count;
   masu::Ray<Real> ray;
   masu::NoCounts counts;
+  masu::SceneView<Real> scene{}; // of that Real
 
   void primitive(masu::PrimitiveIndex index) const {
     if (index >= primitive_count) std::abort();
@@ -42,16 +42,16 @@ void open_and_traverse(const std::string& path) {
     const masu::StructureFile file(path);
     if (file.is_hierarchy()) {
       static_cast<void>(masu::hierarchy_statistics(file.nodes()));
-      traverse<float>(file.hierarchy_view<float>(), file);
-      traverse<double>(file.hierarchy_view<double>(), file);
+      traverse<float>(masu::hierarchy_view_of<float>(file.records()), file);
+      traverse<double>(masu::hierarchy_view_of<double>(file.records()), file);
     } else if (file.is_merged()) {
-      static_cast<void>(masu::grid_statistics(file.merged_view<double>(), file.cells()));
-      traverse<float>(file.merged_view<float>(), file);
-      traverse<double>(file.merged_view<double>(), file);
+      static_cast<void>(masu::grid_statistics(masu::merged_view_of<double>(file.records()), file.cells()));
+      traverse<float>(masu::merged_view_of<float>(file.records()), file);
+      traverse<double>(masu::merged_view_of<double>(file.records()), file);
     } else {
-      static_cast<void>(masu::grid_statistics(file.view<double>(), file.references()));
-      traverse<float>(file.view<float>(), file);
-      traverse<double>(file.view<double>(), file);
+      static_cast<void>(masu::grid_statistics(masu::view_of<double>(file.records()), file.references()));
+      traverse<float>(masu::view_of<float>(file.records()), file);
+      traverse<double>(masu::view_of<double>(file.records()), file);
     }
   } catch (const masu::Error&) {
   }

@@ -182,21 +182,6 @@ TYPED_TEST_P(BuilderComparison, AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes
   }
 }
 
-TYPED_TEST_P(BuilderComparison, ARefittedHierarchyIsTheSameBytes) {
-  using Stored = typename TypeParam::Stored;
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(30); s > 0 && !this->HasFailure(); --s) {
-    auto scene = scattered_scene<Stored>(chance, TypeParam::many / 5);
-    Structure grid = hierarchy_of(scene, any_quality(chance)), other = grid;
-    move_primitives(chance, scene, chance.power_of_two(-10, 1));
-    const GridLayout layout = hierarchy_layout(scene);
-    EXPECT_TRUE(cpu_builder(scene.view())->refit(layout, grid));
-    EXPECT_TRUE(TypeParam::make(scene.view())->refit(layout, other));
-    expect_same(grid, other);
-    EXPECT_FALSE(this->HasFailure()) << described(scene);
-  }
-}
-
 TYPED_TEST_P(BuilderComparison, AGridOfNothingIsTheSameBytes) {
   TestScene<typename TypeParam::Stored> scene;
   const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
@@ -209,6 +194,6 @@ REGISTER_TYPED_TEST_SUITE_P(BuilderComparison, AUniformGridIsTheSameBytes, AUnif
                             AMergedGridIsTheSameBytes, AMergedGridOfManyPartsIsTheSameBytes,
                             AHierarchyIsTheSameBytes, AHierarchyOfARoomIsTheSameBytes,
                             AHierarchyOfMuchIsTheSameBytes, AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes,
-                            ARefittedHierarchyIsTheSameBytes, AGridOfNothingIsTheSameBytes);
+                            AGridOfNothingIsTheSameBytes);
 
 } // namespace masu

@@ -126,7 +126,7 @@ TYPED_TEST(Fastest, IsAUniformGridForASceneWithoutPrimitives) {
 // The CPU's, and the bytes of the largest structure that it has built, and how many it has.
 class Watched final : public StructureBuilder<float> {
 public:
-  explicit Watched(const SceneView<float>& scene) : builder_(cpu_builder(scene)) {}
+  explicit Watched(const SceneView<float>& scene) : StructureBuilder(scene), builder_(cpu_builder(scene)) {}
   Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) override {
     Structure grid = builder_->try_build(layout, overlap, options);
     largest = std::max(largest, 4 * grid.voxel_map.size() + 4 * grid.references.size() +
@@ -135,10 +135,6 @@ public:
     fragments = std::max(fragments, options.kind == StructureKind::irregular ? options.max_fragments : 0);
     return grid;
   }
-  bool refit(const GridLayout& layout, Structure& hierarchy) override {
-    return builder_->refit(layout, hierarchy);
-  }
-  const SceneView<float>& scene() const override { return builder_->scene(); }
 
   std::size_t largest = 0;
   std::uint64_t fragments = 0;

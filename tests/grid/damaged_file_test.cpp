@@ -1,6 +1,5 @@
 // Files damaged at random, with correct hashes: any that still opens can be built on and traced. With
 // sanitizers this shows that no index leads out of the file.
-#include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/statistics.h"
 #include "libscene/base/error.h"
 #include "tests/hostile_files.h"
@@ -109,8 +108,8 @@ TEST_F(DamagedFile, ASceneThatOpensCanBeTraced) {
 
 void describe(const StructureFile& file) {
   if (file.is_hierarchy()) return static_cast<void>(hierarchy_statistics(file.nodes()));
-  static_cast<void>(file.is_merged() ? grid_statistics(file.merged_view<double>(), file.cells())
-                                     : grid_statistics(file.view<double>(), file.references()));
+  static_cast<void>(file.is_merged() ? grid_statistics(merged_view_of<double>(file.records()), file.cells())
+                                     : grid_statistics(view_of<double>(file.records()), file.references()));
 }
 
 TEST_F(DamagedFile, AGridThatOpensCanBeTraced) {

@@ -16,7 +16,6 @@ namespace masu {
 
 struct DeviceLikeExecutor : SerialExecutor {
   static constexpr bool has_warps = true;
-  static constexpr unsigned lanes = 1;
 
   // What nobody writes is nonsense, and not zero.
   template <class T>

@@ -298,7 +298,8 @@ TYPED_TEST(FarRay, SurfacePointsAreAccurate) {
       const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoStructure{}, ray, counts);
       if (hit.primitive == no_primitive) continue;
       const oracle::Line line = oracle::line(ray.origin, ray.direction);
-      const SurfacePoint<Real> point = surface_at<with_all_kinds>(view, hit_again(view, ray, hit));
+      const SurfacePoint<Real> point = surface_at<with_all_kinds>(
+          view, hit_again(view, ray, hit, [&] { return leaf_of(view, hit.primitive); }));
       const oracle::Point at = oracle::point(point.position), n = oracle::point(point.normal);
       // Measured from the ray: at a grazing hit a rounding moves the point far along the surface.
       const oracle::Wide square = oracle::inner(line.direction, line.direction);

@@ -165,7 +165,7 @@ TEST(GoldenFileReading, GridOfBlocksIsRead) {
   const TemporaryFolder folder;
   const StructureFile file(written_golden(folder, golden_grid_of_blocks));
   expect_grid(file, tiny_grid_of_blocks());
-  const GridView<float> view = file.view<float>();
+  const GridView<float> view = view_of<float>(file.records());
   EXPECT_EQ(look_up(view, {0, 0, 0}).word, occupied_bit | 0);
   EXPECT_EQ(look_up(view, {1, 0, 0}).word, occupied_bit | 1);
   EXPECT_EQ(look_up(view, {2, 0, 0}).word, 0U);
@@ -177,7 +177,7 @@ TEST(GoldenFileReading, MergedGridIsRead) {
   const TemporaryFolder folder;
   const StructureFile file(written_golden(folder, golden_merged_grid));
   expect_grid(file, tiny_merged_grid());
-  const MergedGridView<float> view = file.merged_view<float>();
+  const MergedGridView<float> view = merged_view_of<float>(file.records());
   EXPECT_EQ(view.division, (Vec3i{8, 4, 4}));
   EXPECT_EQ(view.voxel_size, (Vec3f{0.5F, 1, 0.5F}));
   const auto cell_of = [&](const Vec3i& voxel) { return cell_number(view, voxel) | occupied_bit; };
@@ -199,7 +199,7 @@ TEST(GoldenFileReading, HierarchyIsRead) {
   expect_grid(file, tiny_hierarchy());
   EXPECT_TRUE(file.is_hierarchy());
   EXPECT_FALSE(file.is_merged());
-  const HierarchyView<float> view = file.hierarchy_view<float>();
+  const HierarchyView<float> view = hierarchy_view_of<float>(file.records());
   EXPECT_EQ(node_slots(view.nodes[0]), 1U << 6);
   EXPECT_EQ(references_in(slot_byte(view.nodes[0].slots, 1)), 2U);
   EXPECT_EQ(references_begin(slot_byte(view.nodes[1].slots, 5)), 1U);

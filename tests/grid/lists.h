@@ -38,6 +38,14 @@ inline const Primitives& listed(const Lists& lists, std::uint64_t voxel) {
   return found == lists.end() ? none : found->second;
 }
 
+// Calls emit(voxel) once for each voxel that the primitive is listed in.
+template <class Primitive, class Emit>
+void for_each_overlap(const GridLayout& layout, Overlap overlap, const Primitive& primitive,
+                      const Emit& emit) {
+  const VoxelRows rows = overlap_rows(layout, overlap, primitive);
+  for_each_overlap(layout, overlap, primitive, rows, 0, rows.count(), emit);
+}
+
 // In rising order, as for_each_overlap says. layout_for: of each primitive, by its margin alone.
 template <class Stored, class LayoutFor>
 Lists lists_by(TestScene<Stored>& scene, const Vec3i& division, Overlap overlap,

@@ -1,5 +1,4 @@
 // Statistics of where cells are, against every voxel looked up by itself, and against random lines.
-#include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
 #include "tests/grid/lists.h"
 #include "tests/random_grid.h"
@@ -23,10 +22,6 @@ StructureOptions random_rule(Chance& chance) {
   options.nested_log2 = chance.whole(0, 4);
   options.expand = chance.whole(0, 3);
   return options;
-}
-
-double half_area(const Vec3d& w) {
-  return w.x * w.y + w.y * w.z + w.z * w.x;
 }
 
 // Words of the map that a look-up of the voxel loads.

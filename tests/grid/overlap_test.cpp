@@ -5,6 +5,7 @@
 #include "libgrid/grid/overlap/overlap.h"
 #include "libgrid/hierarchy/binary/clipped_lanes.h"
 #include "stability/oracle/oracle.h"
+#include "tests/grid/lists.h"
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
 #include "tests/surface_point.h"

@@ -20,30 +20,22 @@ namespace {
 template <class Stored>
 class DeviceLikeBuilder final : public StructureBuilder<Stored> {
 public:
-  explicit DeviceLikeBuilder(const SceneView<Stored>& scene) : scene_(scene) {}
+  using StructureBuilder<Stored>::StructureBuilder;
   Structure try_build(const GridLayout& layout, Overlap overlap, const StructureOptions& options) override {
+    const SceneView<Stored>& scene = this->scene();
     if (options.kind == StructureKind::uniform)
-      return uniform_grid(executor_, scene_, layout, overlap, options.max_references, options.max_map_words);
+      return uniform_grid(executor_, scene, layout, overlap, options.max_references, options.max_map_words);
     if (options.kind != StructureKind::hierarchy)
-      return merged_grid(executor_, scene_, layout, overlap, options);
-    auto made = hierarchy_leaves(executor_, scene_, layout);
+      return merged_grid(executor_, scene, layout, overlap, options);
+    auto made = hierarchy_leaves(executor_, scene, layout);
     return collapsed_hierarchy(
         executor_, layout,
         options.quality == HierarchyQuality::fast
-            ? top_down_hierarchy(executor_, std::move(made), triangles_of(scene_), layout.space)
-            : spatial_split_hierarchy(executor_, scene_, layout.margin, std::move(made.leaves)));
+            ? top_down_hierarchy(executor_, std::move(made), triangles_of(scene), layout.space)
+            : spatial_split_hierarchy(executor_, scene, layout.margin, std::move(made.leaves)));
   }
-  bool refit(const GridLayout& layout, Structure& hierarchy) override {
-    if (!holds_all(executor_, scene_, hierarchy.references)) return false;
-    masu::refit(executor_, scene_, layout.margin, hierarchy.nodes, hierarchy.references.data(),
-                hierarchy.references.size());
-    hierarchy.layout = layout;
-    return true;
-  }
-  const SceneView<Stored>& scene() const override { return scene_; }
 
 private:
-  SceneView<Stored> scene_;
   DeviceLikeExecutor executor_;
 };
 
@@ -58,6 +50,28 @@ struct DeviceLike {
 };
 using DeviceLikes = testing::Types<DeviceLike<float>, DeviceLike<double>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(ByPasses, BuilderComparison, DeviceLikes);
+
+template <class Stored>
+class RefittedHierarchy : public RandomTest {};
+TYPED_TEST_SUITE(RefittedHierarchy, Reals);
+
+TYPED_TEST(RefittedHierarchy, IsTheSameBytesByAnyExecutor) {
+  Chance& chance = this->chance_;
+  DeviceLikeExecutor executor;
+  for (std::int64_t s = cases(30); s > 0 && !this->HasFailure(); --s) {
+    auto scene = scattered_scene<TypeParam>(chance, 1000);
+    Structure grid = hierarchy_of(scene, any_quality(chance)), other = grid;
+    move_primitives(chance, scene, chance.power_of_two(-10, 1));
+    const GridLayout layout = hierarchy_layout(scene);
+    EXPECT_TRUE(refit_hierarchy(scene.view(), layout, grid));
+    EXPECT_TRUE(holds_all(executor, scene.view(), other.references));
+    refit(executor, scene.view(), layout.margin, other.nodes, other.references.data(),
+          other.references.size());
+    other.layout = layout;
+    expect_same(grid, other);
+    EXPECT_FALSE(this->HasFailure()) << described(scene);
+  }
+}
 
 using Executors = RandomTest;
 template <class Stored>

@@ -1,7 +1,7 @@
 // A grid's cells one by one, and those that a plane cuts, against its map looked up voxel by voxel; the boxes
 // of a hierarchy that a plane cuts, against all of them.
 #include "libgrid/hierarchy/hierarchy_builder.h"
-#include "libgrid/statistics/boxes.h"
+#include "libgrid/statistics/cells.h"
 #include "libgrid/statistics/slice.h"
 #include "libscene/base/error.h"
 #include "tests/random_grid.h"

@@ -3,7 +3,7 @@
 #include "libgrid/hierarchy/binary/large_leaves.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/hierarchy/node_boxes.h"
-#include "libgrid/statistics/hierarchy_statistics.h"
+#include "libgrid/statistics/statistics.h"
 #include "libgrid/trace/trace.h"
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"

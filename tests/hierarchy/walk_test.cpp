@@ -1,7 +1,7 @@
 // Results are independent of the structure: through any grid and any hierarchy a ray finds the same bits as
 // by trying every primitive. And walks go forward, and end.
 #include "libgrid/hierarchy/hierarchy_builder.h"
-#include "libgrid/statistics/hierarchy_statistics.h"
+#include "libgrid/statistics/statistics.h"
 #include "tests/hierarchy/walk_comparison.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
@@ -334,7 +334,8 @@ Hit<Real> nearest_of_all(const SceneView<Real>& scene, const Ray<Real>& ray, std
   Hit<Real> nearest{ray.t_max, no_primitive};
   for (std::uint32_t p = 0; p < scene.primitive_count(); ++p) {
     Real t = 0;
-    if (!intersect<with_all_kinds>(scene, frame, p, Real(0), t, counts)) continue;
+    const SceneRecord<Real> from{scene, p};
+    if (!intersect<with_all_kinds>(scene, frame, p, from, Real(0), t, counts)) continue;
     ties += t == nearest.t;
     if (t < nearest.t) nearest = {t, p};
   }

@@ -53,7 +53,9 @@ TYPED_TEST(WindingNumbers, AreWithinTheBoundOfTheSumOverAllTriangles) {
       const Vec3d place = chance.in_cube(size * chance.one_of({1.0, 2.0, 10.0}));
       const double expected = winding_number(std::span<const Triangle<Real>>(triangles), place),
                    bound = chance.power_of_two(-30, 0);
-      ASSERT_NEAR(winding_number(wound.view, place), expected, 1e-9);
+      std::vector<UndividedCluster> none;
+      ASSERT_NEAR(winding_number(wound.view, HierarchyView<Real>{}, {}, place, 0, false, none), expected,
+                  1e-9);
       ASSERT_NEAR(wound.number(place, bound, false), expected, bound + 1e-9);
       if (std::abs(expected - 0.5) > 0x1p-10) {
         ASSERT_EQ(wound.number(place, 0x1p-10, true) > 0.5, expected > 0.5);

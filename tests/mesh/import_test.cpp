@@ -306,7 +306,7 @@ TEST_F(Import, GeneratedNormalsOfASphereAreRadial) {
 
 TEST_F(Import, TheFilesNormalsAreUsedOnlyWhereAskedFor) {
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 3 0 4\nf 1//1 2//1 3//1\n";
-  EXPECT_EQ(parse(obj, "obj").scene.triangles.at(0).normals, no_normals);
+  EXPECT_EQ(parse(obj, "obj").scene.triangles[0].normals, no_normals);
   const Scene scene = parse(obj, "obj", {.smooth = true}).scene;
   ASSERT_EQ(scene.normals.size(), 1U);
   EXPECT_NEAR(scene.normals[0].b.x, 0.6, 1e-6);

@@ -64,7 +64,7 @@ std::array<Vec3d, 3> corners(const Triangle<double>& t) {
   return {t.a, t.b, t.c};
 }
 std::array<Vec3d, 3> normals(const Scene& scene, const Triangle<double>& t) {
-  const CornerNormals<double>& n = scene.normals.at(t.normals);
+  const CornerNormals<double>& n = scene.normals[t.normals];
   return {n.a, n.b, n.c};
 }
 

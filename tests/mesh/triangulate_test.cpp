@@ -28,6 +28,12 @@ using Flat = std::vector<Point2>; // a polygon in a plane
 
 constexpr double pi = std::numbers::pi;
 
+Triangulation triangulate(std::span<const Vec3d> polygon) {
+  Triangulation result;
+  masu::triangulate(polygon, result);
+  return result;
+}
+
 // The plane spanned by two orthogonal unit vectors, moved and scaled: a random placement in space.
 struct Placement {
   Vec3d along, across, origin;

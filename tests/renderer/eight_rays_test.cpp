@@ -216,7 +216,7 @@ void compare_pixels(std::int64_t scenes, Chance& chance) {
       if (chance.one_in(50))
         ray.origin = ray.origin * static_cast<Real>(sizeof(Real) == sizeof(float) ? 1e20 : 1e110);
       rays[i] = unbounded_ray(ray.origin, normalized(ray.direction));
-      pixels.add(rays[i]);
+      pixels.pixels.emplace_back(rays[i]);
     }
     pixels.follow_all();
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -224,13 +224,14 @@ void compare_pixels(std::int64_t scenes, Chance& chance) {
       HitRecord hit{};
       const Vec3f light = radiance<M>(view, lighting, NoStructure{}, rules, rays[i], hit, counts);
       hits += hit.name >= 0;
-      const HitRecord& found = pixels.first_hit(i);
+      const HitRecord& found = pixels.pixels[i].first_hit;
+      const Vec3f& seen = pixels.pixels[i].tree.light;
       EXPECT_TRUE(found.name == hit.name && same_bits(found.t, hit.t))
           << described(rays[i].origin, rays[i].direction);
       for (int channel = 0; channel < 3; ++channel)
-        EXPECT_TRUE(same_bits(pixels.light(i)[channel], light[channel]))
-            << described(rays[i].origin, rays[i].direction) << ": " << described(pixels.light(i))
-            << ", expected " << described(light) << '\n'
+        EXPECT_TRUE(same_bits(seen[channel], light[channel]))
+            << described(rays[i].origin, rays[i].direction) << ": " << described(seen) << ", expected "
+            << described(light) << '\n'
             << described(scene);
     }
   }

@@ -37,7 +37,7 @@ std::vector<Ray<double>> rays_at(Chance& chance, const Scene& scene, const Vec3d
                                  std::size_t count) {
   std::vector<Ray<double>> rays;
   for (std::size_t i = 0; i < count; ++i) {
-    const SceneTriangle& t = scene.triangles.at(i % scene.triangles.size());
+    const SceneTriangle& t = scene.triangles[i % scene.triangles.size()];
     const Vec3d target = i % 2 == 0 ? (t.a + t.b + t.c) * (1.0 / 3) : at + chance.in_cube(1.2);
     const Vec3d origin = at + chance.direction() * (distance * chance.uniform(0.5, 1));
     rays.push_back(unbounded_ray(origin, (target - origin) * chance.power_of_two(-3, 3)));
@@ -91,20 +91,20 @@ TEST_F(FarList, HasTheHitsOfDoubleFromAnyDistance) {
     RaysRequest in_double = request;
     in_double.tracing.precision = Precision::doubled;
     const Found exact = found(tracer, rays, in_double, true);
-    const double bound = error_bound(built.scene(), Precision::robust);
+    const double bound = rounding_margin<float>(built.scene().bounds());
     std::size_t differ = 0;
     for (std::size_t k = 0; k < rays.size(); ++k) {
       EXPECT_EQ(nearest.t[k], static_cast<float>(with_t64.t64[k]));
       hits += nearest.primitive[k] != no_primitive;
-      const bool aimed = k % 2 == 0 && seen_inside(scene.triangles.at(k % scene.triangles.size()),
-                                                   rays[k].direction) > bound;
+      const bool aimed =
+          k % 2 == 0 && seen_inside(scene.triangles[k % scene.triangles.size()], rays[k].direction) > bound;
       EXPECT_TRUE(!aimed || nearest.primitive[k] != no_primitive) << k;
       if (nearest.primitive[k] != exact.primitive[k]) { // at an edge, or of two at nearly the same t
         ++differ;
         continue;
       }
       if (nearest.primitive[k] == no_primitive) continue;
-      const SceneTriangle& t = scene.triangles.at(nearest.primitive[k]);
+      const SceneTriangle& t = scene.triangles[nearest.primitive[k]];
       const Vec3d n = normalized(cross(t.b - t.a, t.c - t.a)), d = rays[k].direction;
       // Across the triangle's plane; and roundings of t itself.
       EXPECT_LE(std::abs((with_t64.t64[k] - exact.t64[k]) * dot(n, d)),

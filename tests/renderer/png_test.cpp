@@ -1,5 +1,4 @@
 // PNG files: decoded by libpng they hold the pixels given, by any division into runs of bands.
-#include "renderer/image/deflate.h"
 #include "renderer/image/png_file.h"
 #include "tests/decoded_image.h"
 #include "tests/random_test.h"

@@ -47,7 +47,7 @@ TEST_F(GrowingArrays, HoldsWhatAVectorHolds) {
     }
     case 4:
       if (!expected.empty()) { // one of its own
-        array.push_back(array.front());
+        array.push_back(array[0]);
         expected.push_back(expected.front());
       }
       break;

@@ -193,7 +193,7 @@ TEST(Spd, BackgroundIsLeftOutOnRequest) {
 TEST(Spd, NamesAndScenesCorrespond) {
   for (const SpdInfo& info : masu::spd_scenes()) {
     EXPECT_EQ(masu::spd_info(info.name).scene, info.scene);
-    EXPECT_EQ(masu::spd_info(info.scene).name, info.name);
+    EXPECT_EQ(masu::spd_scenes()[static_cast<std::size_t>(info.scene)].name, info.name);
   }
 }
 

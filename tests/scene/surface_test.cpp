@@ -84,8 +84,9 @@ void expect_good_surfaces(Chance& chance, std::int64_t tries, const Draw& draw) 
     Hit<Real> found{};
     if (!alone.hit(c.ray(), found)) continue;
     ++hits;
-    const SurfacePoint<Real> point =
-        surface_at<with_all_kinds>(alone.view(), hit_again(alone.view(), c.ray(), found));
+    const SurfacePoint<Real> point = surface_at<with_all_kinds>(
+        alone.view(),
+        hit_again(alone.view(), c.ray(), found, [&] { return leaf_of(alone.view(), found.primitive); }));
     const Vec3<Real>& n = point.normal;
     const double square = static_cast<double>(oracle::inner(oracle::point(n), oracle::point(n)));
     ASSERT_LE(std::abs(square - 1), 16 * u)

@@ -17,9 +17,9 @@ void for_each_hit(const SceneFile& file, const SceneView<Stored>& scene, const S
     const HitRecord& hit = hits.hits[i];
     if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});
     const Ray<Stored> ray = unbounded_ray(cast<Stored>(rays[i].origin), cast<Stored>(rays[i].direction));
+    const Hit<Stored> found{static_cast<Stored>(hit.t), static_cast<PrimitiveIndex>(hit.name)};
     const SurfacePoint<Stored> point = surface_at<with_all_kinds>(
-        scene, hit_again(scene, ray,
-                         Hit<Stored>{static_cast<Stored>(hit.t), static_cast<PrimitiveIndex>(hit.name)}));
+        scene, hit_again(scene, ray, found, [&] { return leaf_of(scene, found.primitive); }));
     act(i, &point, ray.direction);
   });
 }

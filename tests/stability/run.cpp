@@ -3,7 +3,7 @@
 #include "libgrid/grid/division.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libgrid/structure/builder.h"
-#include "libgrid/trace/any_structure.h"
+#include "libgrid/trace/trace.h"
 #include "libscene/base/parallel.h"
 #include "renderer/dispatch.h"
 #include "stability/oracle/embree_scene.h"

@@ -1,14 +1,11 @@
 // What the tools say of a hierarchy: its boxes and histograms, and walks through it.
 #include "tests/tools/run_tool.h"
-
-#include <nlohmann/json.hpp>
+#include "tools/common/json.h"
 
 #include <algorithm>
 
 namespace masu {
 namespace {
-
-using Json = nlohmann::json;
 
 class HierarchyTool : public ToolTest {
 protected:

@@ -3,8 +3,7 @@
 #include "tests/decoded_image.h"
 #include "tests/tools/run_tool.h"
 #include "tools/common/color_map.h"
-
-#include <nlohmann/json.hpp>
+#include "tools/common/json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +11,6 @@
 
 namespace masu {
 namespace {
-
-using Json = nlohmann::json;
 
 const std::vector<std::string> merges{"none", "x", "balance", "irregular"};
 

@@ -83,7 +83,7 @@ TEST_F(LargeFiles, GridsAreReadBackAsWritten) {
   ASSERT_EQ(references.size(), std::uint64_t{voxels} * each);
   for (std::uint64_t i = 0; i < references.size(); ++i)
     ASSERT_EQ(references[i], reference(i)) << i;
-  const GridView<double> view = read.view<double>();
+  const GridView<double> view = view_of<double>(read.records());
   EXPECT_EQ(look_up(view, {999, 999, 0}).word, occupied_bit | (voxels - 1) * each);
 }
 

@@ -1,8 +1,7 @@
 // gridbench tradeoff: measurements, continuing after a stop, Pareto fronts, charts.
 #include "stability/random_seed.h"
 #include "tests/tools/run_tool.h"
-#include "tools/bench/tradeoff/tradeoff_csv.h"
-#include "tools/bench/tradeoff/tradeoff_front.h"
+#include "tools/bench/tradeoff/tradeoff.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,6 @@
 // crosses it as often inwards as outwards.
 #include "libscene/base/parallel.h"
 #include "stability/closed_mesh.h"
-#include "tools/bench/bench.h"
 #include "tools/bench/command.h"
 
 #include <algorithm>
@@ -48,13 +47,8 @@ Crossings count_crossings(const Settings& settings, const ResidentTracer& tracer
         rays[i] = crossing_ray<double>(chance, triangles, size);
     });
     const auto count = [&](Faces faces, std::vector<std::uint32_t>& counts) {
-      RaysRequest request;
-      request.tracing.precision = settings.precision;
-      request.query = Query::count_hits;
-      request.faces = faces;
-      RayResults results;
-      results.count = counts.data();
-      tracer.trace(relative(RayList(rays)), results, request);
+      tracer.trace(relative(RayList(rays)), {.count = counts.data()},
+                   {.tracing = {settings.precision}, .query = Query::count_hits, .faces = faces});
     };
     count(Faces::both, hits);
     count(Faces::front, fronts);

@@ -1,14 +1,22 @@
 // How two pictures or channels differ, pixel by pixel.
+#include "libscene/file/input_file.h"
+#include "libscene/file/input_stream.h"
 #include "libscene/file/output_file.h"
 #include "renderer/image/png_file.h"
-#include "tools/bench/bench.h"
-#include "tools/bench/picture_file.h"
+#include "tools/bench/command.h"
 #include "tools/common/cli.h"
 #include "tools/common/json.h"
+#include "tools/common/number_list.h"
 #include "tools/common/version.h"
 #include "tools/draw/value_picture.h"
+#include "tools/lists/npy.h"
 
+#include <png.h>
+
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 
@@ -20,6 +28,140 @@ struct Settings {
   std::string json; // empty: a line; -: standard output
 };
 
+// A picture or channel: row by row from the top, `channels` numbers a pixel.
+struct FloatPicture {
+  std::int32_t width = 0, height = 0, channels = 0; // 1 or 3
+  std::vector<float> values;                        // of a PNG its bytes / 255
+};
+
+constexpr std::uint64_t largest_side = 1 << 20;
+
+struct File {
+  const std::string& path;
+  std::string bytes;
+
+  [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorCode::input, path, what); }
+  void check_size(std::uint64_t width, std::uint64_t height) const {
+    if (width < 1 || height < 1 || width > largest_side || height > largest_side)
+      fail(fmt::format("has {} x {} pixels: damaged?", width, height));
+  }
+};
+
+// Of a size that was checked, with zeros.
+FloatPicture picture_of(std::uint64_t width, std::uint64_t height, std::uint64_t channels) {
+  return {static_cast<std::int32_t>(width), static_cast<std::int32_t>(height),
+          static_cast<std::int32_t>(channels), std::vector<float>(width * height * channels)};
+}
+
+constexpr std::string_view png_begins = "\x89PNG", pfm_begins = "PF", pfm_of_one_begins = "Pf";
+
+// Nothing but its beginning is read of what isn't a picture: it may be endless.
+File read(const std::string& path) {
+  InputStream in(path);
+  File file{path, std::string(npy_magic.size(), ' ')};
+  file.bytes.resize(in.read(file.bytes.data(), file.bytes.size()));
+  const auto begins = [&](std::string_view with) { return file.bytes.starts_with(with); };
+  if (!begins(png_begins) && !begins(pfm_begins) && !begins(pfm_of_one_begins) && !begins(npy_magic))
+    file.fail("is neither PNG nor PFM nor a NumPy array");
+  file.bytes += read_to_end([&](char* to, std::size_t bytes) { return in.read(to, bytes); }, path);
+  return file;
+}
+
+FloatPicture read_png(const File& file) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, void (*)(png_image*)> freed(&png, png_image_free);
+  const auto check = [&](int done) {
+    if (done == 0) file.fail(fmt::format("isn't a PNG that can be read: {}", png.message));
+  };
+  constexpr std::string_view end("IEND\xae\x42\x60\x82"); // which libpng doesn't miss
+  if (!file.bytes.ends_with(end)) file.fail("doesn't end as a PNG does: is it cut off?");
+  check(png_image_begin_read_from_memory(&png, file.bytes.data(), file.bytes.size()));
+  file.check_size(png.width, png.height);
+  png.format = PNG_FORMAT_RGB;
+  // Compressed a thousandfold at most: what claims to be larger isn't there.
+  if (PNG_IMAGE_SIZE(png) / 1100 > file.bytes.size()) file.fail("is shorter than its size says: damaged?");
+  std::vector<std::uint8_t> rgb(PNG_IMAGE_SIZE(png));
+  check(png_image_finish_read(&png, nullptr, rgb.data(), 0, nullptr));
+  FloatPicture picture = picture_of(png.width, png.height, 3);
+  std::ranges::transform(rgb, picture.values.begin(),
+                         [](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
+  return picture;
+}
+
+float float_at(const char* bytes, bool is_big_endian) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, bytes, sizeof(bits));
+  if (is_big_endian) bits = bits << 24 | (bits & 0xff00) << 8 | (bits >> 8 & 0xff00) | bits >> 24;
+  return std::bit_cast<float>(bits);
+}
+
+FloatPicture read_pfm(const File& file) {
+  std::size_t at = 0;
+  const auto word = [&] {
+    const std::size_t begin = file.bytes.find_first_not_of(" \t\r\n", at);
+    if (begin == std::string::npos) file.fail("ends in its header");
+    at = std::min(file.bytes.find_first_of(" \t\r\n", begin), file.bytes.size());
+    return std::string_view(file.bytes).substr(begin, at - begin);
+  };
+  const auto number = [&]<class Number>(Number) {
+    const std::string_view text = word();
+    const auto value = read_number<Number>(text);
+    if (!value) file.fail(fmt::format("has a header in which '{}' isn't a number", text.substr(0, 20)));
+    return *value;
+  };
+  const std::size_t channels = word() == "PF" ? 3 : 1;
+  const auto width = number(std::uint32_t{}), height = number(std::uint32_t{});
+  const double scale = number(double{});
+  file.check_size(width, height);
+  ++at; // one white space
+  const std::size_t row = std::size_t{width} * channels;
+  if (at > file.bytes.size() || file.bytes.size() - at != row * height * sizeof(float))
+    file.fail(fmt::format("hasn't the length of {} x {} pixels", width, height));
+  FloatPicture picture = picture_of(width, height, channels);
+  for (std::size_t y = 0; y < height; ++y) // from the bottom up
+    for (std::size_t i = 0; i < row; ++i)
+      picture.values[(height - 1 - y) * row + i] =
+          float_at(file.bytes.data() + at + (y * row + i) * sizeof(float), scale > 0);
+  return picture;
+}
+
+FloatPicture read_npy(const File& file) {
+  std::size_t at = 0;
+  const auto array = read_npy_head([&](void* to, std::size_t bytes) {
+    if (bytes > file.bytes.size() - at) return false;
+    std::memcpy(to, file.bytes.data() + at, bytes);
+    at += bytes;
+    return true;
+  });
+  const std::size_t dimensions = array ? array->shape.size() : 0;
+  if (!array || (dimensions != 2 && dimensions != 3) || (dimensions == 3 && array->shape[2] != 3))
+    file.fail("isn't an array of shape (rows, columns) or (rows, columns, 3)");
+  const bool is_float = array->type == "<f4", is_signed = array->type == "<i4";
+  if (!is_float && !is_signed && array->type != "<u4")
+    file.fail(fmt::format("has numbers of type {}, not <f4, <i4 or <u4", array->type));
+  file.check_size(array->shape[1], array->shape[0]);
+  const std::size_t channels = dimensions == 3 ? 3 : 1, count = array->shape[0] * array->shape[1] * channels;
+  if (file.bytes.size() - at != count * sizeof(float)) file.fail("hasn't the length that its shape says");
+  FloatPicture picture = picture_of(array->shape[1], array->shape[0], channels);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float bits = float_at(file.bytes.data() + at + i * sizeof(float), false);
+    picture.values[i] = is_float    ? bits
+                        : is_signed ? static_cast<float>(std::bit_cast<std::int32_t>(bits))
+                                    : static_cast<float>(std::bit_cast<std::uint32_t>(bits));
+  }
+  return picture;
+}
+
+// A PNG, a PFM or a NumPy array, known by its content. An array has the shape (rows, columns) or (rows,
+// columns, 3) and numbers of type <f4, <i4 or <u4. Throws Error(input, path, …) for what isn't such a file,
+// or is damaged.
+FloatPicture read_picture(const std::string& path) {
+  const File file = read(path);
+  if (file.bytes.starts_with(png_begins)) return read_png(file);
+  return file.bytes.starts_with(npy_magic) ? read_npy(file) : read_pfm(file);
+}
+
 struct Difference {
   std::int32_t width = 0, height = 0;
   double rmse = 0;           // over all numbers of all pixels
@@ -29,7 +171,7 @@ struct Difference {
   // Pixels in which a number is infinite or NaN in one picture, and not the same in the other; they count as
   // different, and in nothing else.
   std::size_t incomparable_pixels = 0;
-  std::vector<double> pixels; // each one's largest difference; infinity for incomparable ones
+  std::vector<double> pixels{}; // each one's largest difference; infinity for incomparable ones
 };
 
 // Of pictures of one size: throws Error(input, path, …) for others; `path` is b's.
@@ -40,9 +182,7 @@ Difference difference_of(const FloatPicture& a, const FloatPicture& b, const std
         fmt::format("has {} x {} pixels of {} channels, the other picture {} x {} of {}: give pictures "
                     "of one size",
                     b.width, b.height, b.channels, a.width, a.height, a.channels));
-  Difference result;
-  result.width = a.width;
-  result.height = a.height;
+  Difference result{.width = a.width, .height = a.height};
   const auto channels = static_cast<std::size_t>(a.channels);
   const std::size_t pixels = a.values.size() / channels;
   result.pixels.resize(pixels);
@@ -77,13 +217,12 @@ Difference difference_of(const FloatPicture& a, const FloatPicture& b, const std
 }
 
 Drawing difference_picture(const Difference& difference) {
-  Caption caption;
-  caption.title = fmt::format("difference: the largest of each pixel; rmse {:.4g}, {} of {} pixels differ",
-                              difference.rmse, difference.different_pixels, difference.pixels.size());
-  caption.unit = "absolute difference";
-  caption.without = "infinite in one picture only";
-  caption.values = Caption::Values::from_zero;
-  return value_picture({difference.width, difference.height, difference.pixels}, caption);
+  const std::string title =
+      fmt::format("difference: the largest of each pixel; rmse {:.4g}, {} of {} pixels differ",
+                  difference.rmse, difference.different_pixels, difference.pixels.size());
+  return value_picture(
+      {difference.width, difference.height, difference.pixels},
+      {title, "absolute difference", "infinite in one picture only", Caption::Values::from_zero});
 }
 
 std::string line_of(const Difference& difference) {
@@ -103,10 +242,9 @@ std::string json_of(const Difference& difference) {
                {"height", difference.height},
                {"rmse", difference.rmse},
                {"largest", difference.largest},
-               {"largest_at", Json::array({difference.x, difference.y})},
+               {"largest_at", difference.largest > 0 ? Json::array({difference.x, difference.y}) : Json()},
                {"different_pixels", difference.different_pixels},
                {"incomparable_pixels", difference.incomparable_pixels}});
-  if (!(difference.largest > 0)) json["largest_at"] = nullptr;
   return json_text(json) + "\n";
 }
 

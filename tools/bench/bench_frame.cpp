@@ -1,5 +1,4 @@
 // Seconds of whole pictures by screen division: how tiles of the picture are scheduled.
-#include "tools/bench/bench.h"
 #include "tools/bench/command.h"
 #include "tools/bench/screen_division/screen_division.h"
 #include "tools/common/repeated.h"
@@ -34,11 +33,10 @@ Json measure(const Settings& settings, const ResidentTracer& tracer, const std::
   const SceneFile& scene = tracer.scene();
   const StructureFile& grid = *tracer.structure();
   const bool cuda = tracer.device() == Device::cuda;
-  FrameRequest request;
-  request.tracing = settings.tracing;
-  request.camera = resized(scene.camera(), settings.size);
-  request.sampling = settings.sampling;
-  request.rules = settings.rules;
+  const FrameRequest request{.tracing = settings.tracing,
+                             .camera = resized(scene.camera(), settings.size),
+                             .sampling = settings.sampling,
+                             .rules = settings.rules};
   std::uint32_t workers = 0;
   Frame frame = repeated(settings.warm_up, settings.repeat, [&] {
     if (!division) return tracer.render(request);

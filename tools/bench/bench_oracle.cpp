@@ -1,7 +1,6 @@
 // Closest hits of random rays in a scene by each precision, compared with the oracle's brute force.
 #include "stability/ray_sets.h"
 #include "stability/run.h"
-#include "tools/bench/bench.h"
 #include "tools/bench/command.h"
 #include "tools/common/progress.h"
 
@@ -43,21 +42,15 @@ std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, c
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_a_batch) {
     progress(static_cast<double>(begin) / static_cast<double>(rays.size()));
     const auto batch = std::span(rays).subspan(begin, std::min(rays_a_batch, rays.size() - begin));
-    // All float32 modes are compared with the same reference hits.
-    for (const bool wide : {false, true}) {
-      std::vector<std::size_t> judged_modes;
+    // All float32 modes, which come first, are compared with the same reference hits.
+    for (std::size_t i = 0; i < modes.size();) {
+      const Precision precision = modes[i].precision;
       std::vector<std::vector<Found>> found;
-      for (std::size_t i = 0; i < modes.size(); ++i) {
-        if ((modes[i].precision == Precision::doubled) != wide) continue;
-        judged_modes.push_back(i);
-        found.push_back(found_through(scene, grid, batch, modes[i]));
-      }
-      if (found.empty()) continue;
-      const Precision precision = modes[judged_modes.front()].precision;
-      const auto part =
-          judged(oracle, batch, slack_for(precision, scene.bounds()), unit_roundoff_of(precision), found);
-      for (std::size_t i = 0; i < part.size(); ++i)
-        tallies[judged_modes[i]] += part[i];
+      for (std::size_t k = i; k < modes.size() && (k == i || modes[k].precision != Precision::doubled); ++k)
+        found.push_back(found_through(scene, grid, batch, modes[k]));
+      for (const Tally& part :
+           judged(oracle, batch, slack_for(precision, scene.bounds()), unit_roundoff_of(precision), found))
+        tallies[i++] += part;
     }
   }
   return tallies;

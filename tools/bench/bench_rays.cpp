@@ -1,11 +1,8 @@
 // Throughput of sets of rays (closest hit and any hit), and the tests and cells per ray.
-#include "tools/bench/bench.h"
-#include "tools/bench/command.h"
-
 #include "libscene/file/output_file.h"
 #include "renderer/rays/automatic_loop.h"
 #include "stability/ray_sets.h"
-#include "tools/common/print.h"
+#include "tools/bench/command.h"
 #include "tools/common/repeated.h"
 
 #include <algorithm>
@@ -68,19 +65,6 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
   return sets;
 }
 
-std::string_view name_of(Query query) {
-  return query == Query::nearest_hit ? "closest_hit"
-         : query == Query::occlusion ? "any_hit"
-                                     : "closest_point";
-}
-
-// As the numbers of Ray<double>.
-void save(const RaySet& set, const std::string& prefix) {
-  OutputFile file(prefix + set.name + ".f64");
-  file.write(set.rays.data(), set.rays.size() * sizeof(Ray<double>));
-  file.commit();
-}
-
 Json measure(const Settings& settings, const ResidentTracer& tracer, const RaySet& set,
              const std::string& precision, const std::string& loop) {
   const StructureFile& grid = *tracer.structure();
@@ -102,7 +86,9 @@ Json measure(const Settings& settings, const ResidentTracer& tracer, const RaySe
           {"grid_bytes", grid.bytes()},
           {"grid_hash", to_hex(grid.hash())},
           {"rays", set.name},
-          {"query", name_of(set.query)},
+          {"query", set.query == Query::nearest_hit ? "closest_hit"
+                    : set.query == Query::occlusion ? "any_hit"
+                                                    : "closest_point"},
           {"count", set.rays.size()},
           {"backend", cuda ? "cuda" : "cpu"},
           {"precision", name_of(request.tracing.precision)},
@@ -116,15 +102,6 @@ Json measure(const Settings& settings, const ResidentTracer& tracer, const RaySe
           {"empty_cells_a_ray", a_ray(counts.empty_cells_visited)}};
 }
 
-void print_row(const Output& output, const Json& row) {
-  output.print("{:<8} {:<6} {:<14} {:>11} {:>8.1f} {:>5.1f} {:>7.2f} {:>6.2f} {:>6.2f}\n",
-               row["rays"].get<std::string>(), row["precision"].get<std::string>(),
-               row["loop"].get<std::string>(), grouped(row["count"].get<std::uint64_t>()),
-               row["mrays_per_second"].get<double>(), 100 * row["hits_a_ray"].get<double>(),
-               row["tests_a_ray"].get<double>(), row["cells_a_ray"].get<double>(),
-               row["empty_cells_a_ray"].get<double>());
-}
-
 void bench_rays(const Settings& settings, Output& output) {
   const bool cuda = output.on_cuda(settings.backend);
   const SceneFile scene(settings.scene);
@@ -134,9 +111,12 @@ void bench_rays(const Settings& settings, Output& output) {
     grids.back().check_geometry(scene.geometry_hash(), scene.primitive_count());
   }
   const std::vector<RaySet> sets = ray_sets(settings, scene, grids.front());
-  if (!settings.save.empty())
-    for (const RaySet& set : sets)
-      save(set, settings.save);
+  for (const RaySet& set : sets) {
+    if (settings.save.empty()) break;
+    OutputFile file(settings.save + set.name + ".f64");
+    file.write(set.rays.data(), set.rays.size() * sizeof(Ray<double>));
+    file.commit();
+  }
   output.print(
       "{}, median of {} after {}, {} order\n\n{:<8} {:<6} {:<14} {:>11} {:>8} {:>5} {:>7} {:>6} {:>6}\n",
       cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
@@ -148,8 +128,13 @@ void bench_rays(const Settings& settings, Output& output) {
     for (const RaySet& set : sets) {
       for (const std::string& precision : settings.precisions) {
         for (const std::string& loop : settings.loops) {
-          output.json.push_back(measure(settings, tracer, set, precision, loop_for(loop, set, tracer)));
-          print_row(output, output.json.back());
+          const Json& row = output.json.emplace_back(
+              measure(settings, tracer, set, precision, loop_for(loop, set, tracer)));
+          const auto number = [&](const char* name) { return row[name].get<double>(); };
+          output.print("{:<8} {:<6} {:<14} {:>11} {:>8.1f} {:>5.1f} {:>7.2f} {:>6.2f} {:>6.2f}\n", set.name,
+                       row["precision"].get<std::string>(), row["loop"].get<std::string>(),
+                       grouped(set.rays.size()), number("mrays_per_second"), 100 * number("hits_a_ray"),
+                       number("tests_a_ray"), number("cells_a_ray"), number("empty_cells_a_ray"));
         }
       }
     }

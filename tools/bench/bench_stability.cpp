@@ -4,7 +4,6 @@
 #include "stability/oracle/exact_hit.h"
 #include "stability/run.h"
 #include "stability/sweeps/picture_sweeps.h"
-#include "tools/bench/bench.h"
 #include "tools/bench/command.h"
 
 #include <utility>
@@ -45,13 +44,6 @@ std::string step_text(double step) {
   return text.size() <= 8 ? text : fmt::format("{:.3g}", step);
 }
 
-// Of a sweep in one store, before its rows.
-void print_head(const Output& output, const Row& row) {
-  output.print("\n{}, {}:\n{}\n{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7}\n", row.sweep,
-               store_of(row.float64), row.parameter, "step", "mode", "rays", "unsure", "missed", "false",
-               "wrong", "mispl.", "by grid", "t error");
-}
-
 // Fractions of the rays; - for none.
 void print_row(const Output& output, const Row& row) {
   const Tally& t = row.tally;
@@ -64,14 +56,6 @@ void print_row(const Output& output, const Row& row) {
   output.print("{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7.1e}\n", step_text(row.step), mode,
                t.rays, share(t.unsure), share(t.missed), share(t.false_hit), share(t.wrong),
                share(t.misplaced), share(t.by_grid), t.worst_t);
-}
-
-Json to_json(const std::string& sweep, double step, const Disagreement& d) {
-  return {{"sweep", sweep},          {"step", step},
-          {"store", "float32"},      {"modes", "robust,embree-robust"},
-          {"rays", d.rays},          {"differing", d.differing},
-          {"robust_right", d.first}, {"embree_right", d.second},
-          {"both_right", d.both},    {"neither_right", d.neither}};
 }
 
 void print_disagreements(const Output& output, const std::vector<Row>& rows) {
@@ -151,17 +135,30 @@ void bench_stability(const Settings& settings, Output& output) {
   RunSettings run_settings = settings.run;
   run_settings.embree = embree_available;
   std::vector<Row> disagreements;
-  std::string head; // the last one printed
+  std::string head; // the last one printed: of a sweep in one store, before its rows
   for (const Sweep& sweep : sweeps) {
     run(sweep, run_settings, [&](const Row& row) {
       if (!wanted(settings.precisions, row.mode.name)) return;
       output.json.push_back(to_json(row));
       const std::string own = row.sweep + store_of(row.float64);
-      if (std::exchange(head, own) != own) print_head(output, row);
+      if (std::exchange(head, own) != own)
+        output.print("\n{}, {}:\n{}\n{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7}\n",
+                     row.sweep, store_of(row.float64), row.parameter, "step", "mode", "rays", "unsure",
+                     "missed", "false", "wrong", "mispl.", "by grid", "t error");
       print_row(output, row);
       if (!row.disagreement) return;
       disagreements.push_back(row);
-      output.json.push_back(to_json(row.sweep, row.step, *row.disagreement));
+      const Disagreement& d = *row.disagreement;
+      output.json.push_back({{"sweep", row.sweep},
+                             {"step", row.step},
+                             {"store", "float32"},
+                             {"modes", "robust,embree-robust"},
+                             {"rays", d.rays},
+                             {"differing", d.differing},
+                             {"robust_right", d.first},
+                             {"embree_right", d.second},
+                             {"both_right", d.both},
+                             {"neither_right", d.neither}});
     });
   }
   print_disagreements(output, disagreements);
@@ -172,7 +169,6 @@ void bench_stability(const Settings& settings, Output& output) {
   const std::uint64_t bad = cuda ? compare(settings, sweeps, output) : 0;
   if (bad == 0) return;
   output.print_json();
-  flush_standard_output();
   throw Error(
       ErrorCode::device, "cuda",
       fmt::format("differs from the CPU at {} steps of robust or double: please report this bug", bad));

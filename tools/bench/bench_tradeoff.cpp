@@ -1,16 +1,19 @@
 // Speed against accuracy of every precision, stop rule and grid: measurements, charts and Pareto fronts.
-#include "tools/bench/bench.h"
+#include "libscene/file/output_file.h"
 #include "tools/bench/command.h"
-#include "tools/bench/gnuplot.h"
-#include "tools/bench/tradeoff/tradeoff_csv.h"
-#include "tools/bench/tradeoff/tradeoff_front.h"
-#include "tools/bench/tradeoff/tradeoff_measure.h"
+#include "tools/bench/tradeoff/tradeoff.h"
 #include "tools/common/progress.h"
 #include "tradeoff_script.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <list>
 #include <map>
 #include <set>
 #include <vector>
@@ -32,19 +35,20 @@ struct Settings {
 };
 
 TradeoffSetup setup_of(const Settings& settings, bool cuda) {
-  const auto or_default = [](std::uint64_t given, std::uint64_t otherwise) {
-    return given > 0 ? given : otherwise;
-  };
-  TradeoffSetup setup;
-  setup.backend = cuda ? "cuda" : "cpu";
-  setup.threads = cuda ? 0 : allowed_threads();
-  setup.size = !settings.size.empty() ? settings.size : cuda ? "1024x1024" : "256x256";
-  setup.random = or_default(settings.random, cuda ? 1 << 20 : 1 << 16);
-  setup.compared = or_default(settings.compared, cuda ? 1 << 20 : 1 << 15);
-  setup.picture = !settings.picture.empty() ? settings.picture : cuda ? "512x512" : "128x128";
-  setup.seed = settings.seed;
-  setup.repeat = or_default(settings.repeat, cuda ? 15 : 3);
-  return setup;
+  return {.backend = cuda ? "cuda" : "cpu",
+          .threads = cuda ? 0 : allowed_threads(),
+          .size = !settings.size.empty() ? settings.size
+                  : cuda                 ? "1024x1024"
+                                         : "256x256",
+          .random = settings.random > 0 ? settings.random : std::uint64_t{1} << (cuda ? 20 : 16),
+          .compared = settings.compared > 0 ? settings.compared : std::uint64_t{1} << (cuda ? 20 : 15),
+          .picture = !settings.picture.empty() ? settings.picture
+                     : cuda                    ? "512x512"
+                                               : "128x128",
+          .seed = settings.seed,
+          .repeat = settings.repeat > 0 ? settings.repeat
+                    : cuda              ? 15U
+                                        : 3U};
 }
 
 // The configurations of one grid: precisions and stop rules.
@@ -55,6 +59,7 @@ using GridPlan = std::vector<Configuration>;
 std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   std::vector<GridPlan> plan;
   const auto add = [&](const Configuration& c) {
+    static_cast<void>(parse_division(c.division));
     if (float64 && c.precision != Precision::doubled) return;
     auto grid = std::ranges::find_if(plan, [&](const GridPlan& planned) {
       const Configuration& g = planned.front();
@@ -66,42 +71,26 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
       grid->push_back(c);
   };
   for (const std::string& merge : settings.merges) {
-    // A hierarchy has no division, no overlap test and no cells.
-    if (named<StructureKind>(merge) == StructureKind::hierarchy) {
-      for (const std::string& precision : settings.precisions)
-        if (contains(settings.stops, "proven"))
-          add({named<Precision>(precision), StopRule::proven, StructureKind::hierarchy, "auto",
-               Overlap::exact});
-      continue;
-    }
-    // The top level of an irregular grid always has the automatic division.
-    const bool own = named<StructureKind>(merge) == StructureKind::irregular;
-    for (const std::string& division : own ? std::vector<std::string>{"auto"} : settings.divisions) {
-      static_cast<void>(parse_division(division));
-      for (const std::string& overlap : settings.overlaps)
+    // The top level of an irregular grid always has the automatic division. A hierarchy has no division, no
+    // overlap test and no cells.
+    const auto kind = named<StructureKind>(merge);
+    const bool is_hierarchy = kind == StructureKind::hierarchy;
+    const bool own = is_hierarchy || kind == StructureKind::irregular;
+    for (const std::string& division : own ? std::vector<std::string>{"auto"} : settings.divisions)
+      for (const std::string& overlap : is_hierarchy ? std::vector<std::string>{"exact"} : settings.overlaps)
         for (const std::string& precision : settings.precisions)
           for (const std::string& stop : settings.stops)
-            add({named<Precision>(precision), named<StopRule>(stop), named<StructureKind>(merge), division,
-                 named<Overlap>(overlap)});
-    }
+            if (!is_hierarchy || stop == "proven")
+              add({named<Precision>(precision), named<StopRule>(stop), kind, division,
+                   named<Overlap>(overlap)});
   }
   const bool robust = contains(settings.precisions, "robust");
-  for (const std::string& division : settings.curve) {
-    static_cast<void>(parse_division(division));
+  for (const std::string& division : settings.curve)
     add({float64  ? Precision::doubled
          : robust ? Precision::robust
                   : named<Precision>(settings.precisions.front()),
          StopRule::proven, StructureKind::uniform, division, Overlap::exact});
-  }
   return plan;
-}
-
-StructureFile built(const SceneFile& scene, const Configuration& grid) {
-  BuildOptions options;
-  options.division = parse_division(grid.division);
-  options.structure.kind = grid.merge;
-  options.overlap = grid.overlap;
-  return built_in_memory(scene, options);
 }
 
 // A scene's name in charts and tables: its file's name with letters, digits, - . and _ only.
@@ -155,7 +144,9 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
   step();
   for (const GridPlan& configurations : plan) {
     if (configurations.empty()) continue;
-    const StructureFile grid = built(scene, configurations.front());
+    const Configuration& own = configurations.front();
+    const StructureFile grid = built_in_memory(
+        scene, {.structure = {own.merge}, .division = parse_division(own.division), .overlap = own.overlap});
     for (const Configuration& configuration : configurations) {
       rows.push_back({name, hash, setup, configuration, measure(task, grid, configuration)});
       csv.add(rows.back());
@@ -166,16 +157,13 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
 
 // Rows with that setup, and of scenes of the same name those of the scene measured last: rows that can be
 // compared.
-std::vector<TradeoffRow> comparable(const std::vector<TradeoffRow>& rows, const TradeoffSetup& setup,
+std::vector<TradeoffRow> comparable(std::vector<TradeoffRow> rows, const TradeoffSetup& setup,
                                     std::map<std::string, std::string> hashes) {
-  for (std::size_t i = rows.size(); i-- > 0;) {
-    if (rows[i].setup == setup) hashes.emplace(rows[i].scene, rows[i].scene_hash); // keeps an earlier one
-  }
-  std::vector<TradeoffRow> kept;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const TradeoffRow& row) {
-    return row.setup == setup && hashes.at(row.scene) == row.scene_hash;
-  });
-  return kept;
+  std::erase_if(rows, [&](const TradeoffRow& row) { return !(row.setup == setup); });
+  for (std::size_t i = rows.size(); i-- > 0;)
+    hashes.emplace(rows[i].scene, rows[i].scene_hash); // keeps an earlier one
+  std::erase_if(rows, [&](const TradeoffRow& row) { return hashes.at(row.scene) != row.scene_hash; });
+  return rows;
 }
 
 // The rows of each scene, and the mean of all scenes where there are several.
@@ -186,19 +174,9 @@ std::vector<std::vector<TradeoffRow>> groups_of(const std::vector<TradeoffRow>& 
     if (group == groups.end()) group = groups.insert(groups.end(), std::vector<TradeoffRow>{});
     group->push_back(row);
   }
-  if (groups.size() > 1) groups.push_back(over_all_scenes(rows));
+  std::vector<TradeoffRow> all = over_all_scenes(rows);
+  if (groups.size() > 1 && !all.empty()) groups.push_back(std::move(all));
   return groups;
-}
-
-// Two lines: what it costs, and below it how accurate it is.
-void print_row(const Output& output, const TradeoffRow& row) {
-  const Measurement& m = row.measured;
-  const Accuracy& a = m.accuracy;
-  output.print("{:<22} {:<20} {:>9.2f} {:>9.3f} {:>7.2f} {:>7.2f}\n", method_of(row.configuration),
-               grid_of(row.configuration), m.mrays, m.picture_ms, static_cast<double>(m.grid_bytes) * 1e-6,
-               static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6);
-  output.print("{:>22} {:>9} {:>10} {:>9.1e} {:>9.1e} {:>9.1e}\n", a.missed, a.false_hits, a.wrong_primitives,
-               a.worst_t, a.median_t, a.rmse);
 }
 
 // Prints the front of each group, by hits.
@@ -214,28 +192,58 @@ void report(const std::vector<std::vector<TradeoffRow>>& groups, Output& output)
   for (const auto& group : groups) {
     output.print("{}\n", printable(group.front().scene));
     for (const std::size_t i : front_of(group, merit_of_hits)) {
+      const Configuration& configuration = group[i].configuration;
+      const Measurement& m = group[i].measured;
+      const Accuracy& a = m.accuracy;
       output.json.push_back(json_of(group[i]));
-      print_row(output, group[i]);
+      // Two lines: what it costs, and below it how accurate it is.
+      output.print("{:<22} {:<20} {:>9.2f} {:>9.3f} {:>7.2f} {:>7.2f}\n{:>22} {:>9} {:>10} {:>9.1e} {:>9.1e} "
+                   "{:>9.1e}\n",
+                   method_of(configuration), grid_of(configuration), m.mrays, m.picture_ms,
+                   static_cast<double>(m.grid_bytes) * 1e-6,
+                   static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6, a.missed, a.false_hits,
+                   a.wrong_primitives, a.worst_t, a.median_t, a.rmse);
     }
   }
 }
 
+// Runs the script in gnuplot on the folder's charts.csv, whose path it finds in its variable `data`. Of the
+// groups' charts it may draw some; it finds where to write them in its variable `outputs`, in pairs: NAME
+// PATH NAME PATH … (no spaces in either). They appear in the folder whole or not at all. Throws
+// Error(output), also where gnuplot fails.
 void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string& folder) {
-  write_charts_csv(folder + "/charts.csv", groups);
-  std::vector<std::string> charts;
-  const auto add = [&](const std::string& name) {
-    for (const char* const kind : {".svg", ".png"})
-      charts.push_back(name + kind);
-  };
-  for (const auto& group : groups) {
-    if (!group.empty()) add(group.front().scene == "all" ? "tradeoff" : group.front().scene);
-  }
-  add("division");
-  if (!draw_charts(tradeoff_script, folder, "charts.csv", charts))
-    print_note(
+  const std::string path = folder + "/charts.csv";
+  write_charts_csv(path, groups);
+  if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
+    return print_note(
         "gridbench: gnuplot: isn't on the PATH, so no chart was drawn: install gnuplot (Debian's package is "
         "gnuplot-nox) and run gridbench tradeoff --charts-only -o {}\n",
         printable(folder));
+  const auto path_of = [](FILE* file) { return fmt::format("/proc/{}/fd/{}", getpid(), fileno(file)); };
+  const std::unique_ptr<FILE, int (*)(FILE*)> rows(std::fopen(path.c_str(), "re"), std::fclose);
+  if (rows == nullptr) throw Error(ErrorCode::output, path, "can't be read");
+  std::list<OutputFile> charts;
+  std::string outputs;
+  const auto add = [&](const std::string& scene) {
+    for (const char* const kind : {".svg", ".png"}) {
+      OutputFile& chart = charts.emplace_back(fmt::format("{}/{}{}", folder, scene, kind));
+      outputs += fmt::format("{}{} {} ", scene, kind, path_of(chart.stream()));
+    }
+  };
+  for (const auto& group : groups)
+    add(group.front().scene == "all" ? "tradeoff" : group.front().scene);
+  add("division");
+  // In a UTF-8 locale: in others gnuplot warns of characters that they lack.
+  FILE* const gnuplot = popen("LC_ALL=C.UTF-8 exec gnuplot", "we");
+  if (gnuplot == nullptr) throw Error(ErrorCode::output, "gnuplot", "can't be started");
+  fmt::print(gnuplot, "data = '{}'\noutputs = '{}'\n{}", path_of(rows.get()), outputs, tradeoff_script);
+  if (pclose(gnuplot) != 0)
+    throw Error(ErrorCode::output, "gnuplot",
+                "fails on the data in " + folder + ": see its own message above");
+  for (OutputFile& chart : charts) {
+    struct stat state {};
+    if (fstat(fileno(chart.stream()), &state) == 0 && state.st_size > 0) chart.commit();
+  }
 }
 
 // Draws what can be compared, and reports it.

@@ -1,4 +1,4 @@
-// What gridbench's subcommands have in common.
+// gridbench's subcommands, and what they have in common.
 #pragma once
 
 #include "tools/common/backend.h"
@@ -13,6 +13,15 @@
 #include <vector>
 
 namespace masu {
+
+// Each adds itself with its options to the command line, and a callback that runs it.
+void add_frame(const CommandLine& command);
+void add_rays(const CommandLine& command);
+void add_tradeoff(const CommandLine& command);
+void add_stability(const CommandLine& command);
+void add_oracle(const CommandLine& command);
+void add_crossings(const CommandLine& command);
+void add_difference(const CommandLine& command);
 
 // What a subcommand has to say: a table, line by line as it is measured, or JSON, when all is.
 struct Output {

@@ -55,22 +55,20 @@ struct Measurement {
   std::vector<double> rates;
 };
 
-std::vector<Ray<float>> rounded(std::span<const Ray<double>> rays) {
-  std::vector<Ray<float>> all(rays.size());
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    all[i] = loaded<float>(rays.data(), own_format<double>, i);
-  return all;
-}
-
 std::map<std::string, std::vector<Ray<float>>> ray_sets(const Settings& settings, const SceneFile& scene,
                                                         const StructureFile& grid) {
   const std::vector<Ray<double>> primary =
       primary_rays(scene, resized(scene.camera(), settings.size), RayOrder::tiles);
   std::map<std::string, std::vector<Ray<float>>> sets;
   for (const std::string& name : settings.sets) {
-    sets[name] = rounded(name == "primary"   ? primary
-                         : name == "diffuse" ? diffuse_rays(scene, grid, primary, settings.seed)
-                                             : random_rays(scene, settings.random, settings.seed));
+    const std::vector<Ray<double>> rays = name == "primary" ? primary
+                                          : name == "diffuse"
+                                              ? diffuse_rays(scene, grid, primary, settings.seed)
+                                              : random_rays(scene, settings.random, settings.seed);
+    std::vector<Ray<float>>& rounded = sets[name];
+    rounded.resize(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      rounded[i] = loaded<float>(rays.data(), own_format<double>, i);
   }
   return sets;
 }
@@ -78,12 +76,8 @@ std::map<std::string, std::vector<Ray<float>>> ray_sets(const Settings& settings
 Contestant masu_with(const SceneFile& scene, const StructureFile& grid) {
   const auto tracer = std::make_shared<ResidentTracer>(scene, &grid, Device::cpu);
   return {grid.path(), false, [tracer](std::span<const Ray<float>> rays, Hits& hits) {
-            RayResults results;
-            results.t = hits.t.data();
-            results.primitive = hits.primitive.data();
-            RaysRequest request;
-            request.tracing.precision = Precision::robust;
-            tracer->trace(RayList(rays), results, request);
+            tracer->trace(RayList(rays), {.t = hits.t.data(), .primitive = hits.primitive.data()},
+                          {{Precision::robust}});
           }};
 }
 
@@ -111,9 +105,6 @@ std::size_t differing(const Hits& a, const Hits& b) {
   }
   return count;
 }
-std::size_t hit_count(const Hits& hits) {
-  return hits.primitive.size() - static_cast<std::size_t>(std::ranges::count(hits.primitive, no_primitive));
-}
 
 // Throws Error(input) where two grids of one scene give different bits: results are independent of the grid.
 void print_agreement(const std::map<std::string, std::vector<Ray<float>>>& sets,
@@ -122,7 +113,9 @@ void print_agreement(const std::map<std::string, std::vector<Ray<float>>>& sets,
   for (const auto& [name, rays] : sets) {
     Hits first(rays.size());
     contestants.front().trace(rays, first);
-    fmt::print("{:<8} {:>9} {:>9}", name, rays.size(), hit_count(first));
+    fmt::print(
+        "{:<8} {:>9} {:>9}", name, rays.size(),
+        std::ranges::count_if(first.primitive, [](auto primitive) { return primitive != no_primitive; }));
     for (std::size_t i = 1; i < contestants.size(); ++i) {
       if (contestants[i].for_alike_rays && name != alike_rays) continue;
       Hits other(rays.size());
@@ -153,18 +146,15 @@ void measure(benchmark::State& state, const Contestant& contestant, std::span<co
 // Keeps the rates beside what Google Benchmark's own table shows of them.
 class Reporter : public benchmark::BenchmarkReporter {
 public:
-  explicit Reporter(std::vector<Measurement>& measurements) : measurements_(measurements) {}
+  std::vector<Measurement> measurements; // by the order in which benchmarks are registered
 
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
-      measurements_.at(static_cast<std::size_t>(run.family_index)).rates.push_back(run.counters.at("rays"));
+      measurements.at(static_cast<std::size_t>(run.family_index)).rates.push_back(run.counters.at("rays"));
     }
   }
-
-private:
-  std::vector<Measurement>& measurements_;
 };
 
 void print_table(const std::vector<Measurement>& measurements, const std::string& embree) {
@@ -204,7 +194,7 @@ void bench_cpu_rays(const Settings& settings) {
   const auto sets = ray_sets(settings, scene, grids.front());
   print_agreement(sets, contestants, grids.size());
 
-  std::vector<Measurement> measurements;
+  Reporter reporter;
   for (const int threads : settings.threads) {
     for (const std::string& set : settings.sets) {
       for (std::size_t i = contestants.size(); i-- > 0;) { // Embree first
@@ -213,26 +203,15 @@ void bench_cpu_rays(const Settings& settings) {
         const std::span<const Ray<float>> rays = sets.at(set);
         auto* registered =
             benchmark::RegisterBenchmark(fmt::format("{}/{}/{}", contestant.name, set, threads).c_str(),
-                                         [&contestant, rays, threads](benchmark::State& state) {
-                                           measure(state, contestant, rays, threads);
-                                         });
+                                         measure, contestant, rays, threads);
         registered->Iterations(1)->Repetitions(settings.repeat);
         if (threads != 1) registered->UseRealTime();
-        measurements.push_back({set, contestant.name, threads, {}});
+        reporter.measurements.push_back({set, contestant.name, threads, {}});
       }
     }
   }
-  Reporter reporter(measurements);
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  print_table(measurements, embree_available ? embree_name() : "");
-}
-
-// Before all other arguments, so that these may say otherwise.
-std::vector<char*> with_interleaving(int argc, char** argv) {
-  static std::string option = "--benchmark_enable_random_interleaving=true";
-  std::vector<char*> all(argv, argv + argc);
-  all.insert(all.begin() + 1, option.data());
-  return all;
+  print_table(reporter.measurements, embree_available ? embree_name() : "");
 }
 
 void add_options(const CommandLine& command, Settings& settings) {
@@ -255,7 +234,9 @@ void add_options(const CommandLine& command, Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  std::vector<char*> arguments = with_interleaving(argc, argv);
+  std::string interleaving = "--benchmark_enable_random_interleaving=true";
+  std::vector<char*> arguments(argv, argv + argc);
+  arguments.insert(arguments.begin() + 1, interleaving.data()); // first, so that the others may say otherwise
   int count = argc + 1;
   benchmark::Initialize(&count, arguments.data()); // removes its own
   return run_tool("masu_cpu_rays", "Closest hits on the CPU: Masu beside Embree, by the same rays.", count,

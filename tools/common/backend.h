@@ -1,7 +1,6 @@
 // The options --backend, --precision and --first-cell-hit: where and how rays are traced.
 #pragma once
 
-#include "renderer/precision.h"
 #include "renderer/tracer/tracer.h"
 #include "tools/common/cli.h"
 

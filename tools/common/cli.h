@@ -68,19 +68,16 @@ std::size_t all_cores();
 void see_first_gpu_alone();
 
 // --threads N; 0: all cores.
-class Threads {
-public:
+struct Threads {
+  int count = 0;
+
   void add_to(const CommandLine& command) {
-    command.add_number("--threads", threads_, 0, 4096, "number of CPU threads; 0: all cores")
-        .under("General");
+    command.add_number("--threads", count, 0, 4096, "number of CPU threads; 0: all cores").under("General");
   }
   // Of `cores` where the option isn't given.
   ThreadLimit limit(std::size_t cores = all_cores()) const {
-    return limit_threads(threads_ > 0 ? static_cast<std::size_t>(threads_) : cores);
+    return limit_threads(count > 0 ? static_cast<std::size_t>(count) : cores);
   }
-
-private:
-  int threads_ = 0;
 };
 
 } // namespace masu

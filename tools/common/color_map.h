@@ -53,24 +53,16 @@ inline Rgb color_of(double lightness, double chroma, double hue) {
 // From dark to light: lightness rises evenly, so that order can be seen without colour.
 class ColorMap {
 public:
-  // What a ray takes, and depth: from violet by green to yellow.
-  ColorMap() {
-    for (std::size_t i = 0; i < size; ++i) {
-      const double t = static_cast<double>(i) / (size - 1);
-      // Chroma stays below what sRGB has of each hue, or a kink would look like an edge.
-      const double chroma = 0.09 + 0.25 * (t - 0.42) * (t - 0.42);
-      colors_[i] = color_of(0.2 + 0.74 * t, chroma, 300 - 195 * t);
-    }
-  }
+  // What a ray takes, and depth: from violet by green to yellow. Chroma stays below what sRGB has of each
+  // hue, or a kink would look like an edge.
+  ColorMap()
+      : ColorMap([](double t) {
+          return color_of(0.2 + 0.74 * t, 0.09 + 0.25 * (t - 0.42) * (t - 0.42), 300 - 195 * t);
+        }) {}
   // Lists of cells and boxes: violet alone, so that none of their colours means anything else beside a ray's
   // walk.
   static ColorMap of_lists() {
-    ColorMap map;
-    for (std::size_t i = 0; i < size; ++i) {
-      const double t = static_cast<double>(i) / (size - 1);
-      map.colors_[i] = color_of(0.2 + 0.68 * t, 0.19 - 0.11 * t, 300);
-    }
-    return map;
+    return ColorMap([](double t) { return color_of(0.2 + 0.68 * t, 0.19 - 0.11 * t, 300); });
   }
   // t from 0 to 1; others as the nearer end.
   const Rgb& operator()(double t) const {
@@ -78,6 +70,11 @@ public:
   }
 
 private:
+  explicit ColorMap(Rgb (*color)(double t)) {
+    for (std::size_t i = 0; i < size; ++i)
+      colors_[i] = color(static_cast<double>(i) / (size - 1));
+  }
+
   static constexpr std::size_t size = 1024;
   std::array<Rgb, size> colors_{};
 };

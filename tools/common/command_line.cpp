@@ -75,35 +75,25 @@ std::string wrapped_lines(const std::string& lines, std::size_t width) {
   return text;
 }
 
-// What CLI11 puts after an option's names: a type such as TEXT, or names of values; and after a colon what a
-// value is checked for, of which a range in [ ] is kept.
-struct Value {
-  std::string type, range;
-};
-Value value_of(const CLI::Option& option) {
-  const std::string all = option.get_type_name();
-  const std::size_t colon = all.find(':'), from = all.find('['), to = all.find(']');
-  Value value{all.substr(0, colon), {}};
-  if (value.type == "INT" || value.type == "UINT") value.type = "N";
-  if (value.type == "FLOAT") value.type = "X";
-  if (colon == std::string::npos || to == std::string::npos || from > to) return value;
-  value.range = all.substr(from + 1, to - from - 1);
-  if (const std::size_t dash = value.range.find(" - "); dash != std::string::npos)
-    value.range.replace(dash, 3, " to ");
-  return value;
-}
-
 std::string line_of(const CLI::Option& option, std::size_t width) {
   std::string names = "  " + (option.get_positional() ? option.get_name() : option.get_name(false, true));
   // A flag that may have a value: CLI11 shows what it has without.
   if (const std::size_t brace = names.find('{'); brace != std::string::npos)
     names.replace(brace, names.find('}') + 1 - brace, "[=FILE]");
-  const Value value = value_of(option);
-  if (!option.get_positional() && option.get_items_expected_max() != 0 && !value.type.empty())
-    names += " " + value.type;
+  // What CLI11 puts after an option's names: a type such as TEXT, or names of values; and after a colon what
+  // a value is checked for, of which a range in [ ] is kept.
+  const std::string all = option.get_type_name();
+  const std::size_t colon = all.find(':'), from = all.find('['), to = all.find(']');
+  std::string type = all.substr(0, colon), range;
+  if (type == "INT" || type == "UINT") type = "N";
+  if (type == "FLOAT") type = "X";
+  if (!option.get_positional() && option.get_items_expected_max() != 0 && !type.empty()) names += " " + type;
+  if (colon != std::string::npos && to != std::string::npos && from < to)
+    range = all.substr(from + 1, to - from - 1);
+  if (const std::size_t dash = range.find(" - "); dash != std::string::npos) range.replace(dash, 3, " to ");
   std::string notes;
   const auto note = [&](const std::string& text) { notes += (notes.empty() ? " (" : "; ") + text; };
-  if (!value.range.empty()) note(value.range);
+  if (!range.empty()) note(range);
   const std::string usual = option.get_default_str();
   if (!usual.empty() && usual != "[]") note("default " + usual); // [] is an empty list
   std::set<std::string> excluded; // CLI11 has them by their addresses, which differ from run to run
@@ -226,14 +216,13 @@ Option Option::required() const {
 Option Option::needs(Option other) const {
   return Option(option_->needs(other.option_));
 }
-Option Option::excludes(Option other) const {
-  return Option(option_->excludes(other.option_));
+Option Option::excludes(std::initializer_list<Option> others) const {
+  for (const Option other : others)
+    option_->excludes(other.option_);
+  return *this;
 }
 Option Option::type_name(const std::string& name) const {
   return Option(option_->type_name(name));
-}
-Option Option::default_text(const std::string& text) const {
-  return Option(option_->default_str(text));
 }
 Option Option::shows_default() const {
   return Option(option_->capture_default_str());
@@ -265,15 +254,6 @@ Option Option::check(const std::function<std::string(const std::string&)>& fault
 }
 Option Option::under(const std::string& heading) const {
   return Option(option_->group(heading));
-}
-std::string Option::name() const {
-  return option_->get_name();
-}
-std::string Option::heading() const {
-  return option_->get_group();
-}
-bool Option::is_given() const {
-  return option_->count() > 0;
 }
 
 CommandLine::CommandLine(const char* name, const char* description, const std::string& version_text)
@@ -348,18 +328,18 @@ void CommandLine::group(const std::string& heading) const {
   app_->option_defaults()->group(heading);
 }
 void CommandLine::group_needs(const std::string& heading, Option needed) const {
-  for (const Option option : options()) {
-    if (option != needed && option.heading() == heading) static_cast<void>(option.needs(needed));
-  }
+  for (CLI::Option* const option : app_->get_options([](const CLI::Option*) { return true; }))
+    if (option != needed.option_ && option->get_group() == heading) option->needs(needed.option_);
 }
 void CommandLine::footer(const std::string& text) const {
   app_->footer(text);
 }
-std::vector<Option> CommandLine::options() const {
-  std::vector<Option> all;
-  for (CLI::Option* const option : app_->get_options([](const CLI::Option*) { return true; }))
-    all.emplace_back(option);
-  return all;
+std::vector<std::pair<std::string, std::string>> CommandLine::given_options() const {
+  std::vector<std::pair<std::string, std::string>> given;
+  for (const CLI::Option* const option :
+       app_->get_options([](const CLI::Option* o) { return o->count() > 0; }))
+    given.emplace_back(option->get_name(), option->get_group());
+  return given;
 }
 void CommandLine::refuse(std::initializer_list<Useless> options) const {
   for (const auto& [name, is_useless, why] : options)

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -22,14 +23,12 @@ namespace masu {
 class Option {
 public:
   explicit Option(CLI::Option* option) : option_(option) {}
-  bool operator==(const Option&) const = default;
 
   Option required() const;
   Option needs(Option other) const;
-  Option excludes(Option other) const;
-  // What --help calls its value, and its default.
+  Option excludes(std::initializer_list<Option> others) const;
+  // What --help calls its value.
   Option type_name(const std::string& name) const;
-  Option default_text(const std::string& text) const;
   // --help shows the default: what its variable holds now.
   Option shows_default() const;
   // Of lists: elements between commas, so many of them.
@@ -45,11 +44,8 @@ public:
   // The heading of --help that it is under, instead of group()'s.
   Option under(const std::string& heading) const;
 
-  std::string name() const;
-  std::string heading() const;
-  bool is_given() const;
-
 private:
+  friend class CommandLine;
   CLI::Option* option_;
 };
 
@@ -68,6 +64,11 @@ public:
   // value is the default.
   template <class Value>
   Option add_option(const std::string& names, Value& value, const std::string& help) const;
+  // `type`: what --help calls its value.
+  template <class Value>
+  Option add_option(const std::string& names, Value& value, const std::string& help, const char* type) const {
+    return add_option(names, value, help).type_name(type);
+  }
   // A number from `least` to `most`, whose default --help shows.
   template <class Number>
   Option add_number(const std::string& names, Number& number, std::type_identity_t<Number> least,
@@ -75,7 +76,7 @@ public:
     return add_option(names, number, help).range(least, most).shows_default();
   }
   Option add_file(const std::string& names, std::string& path, const std::string& help) const {
-    return add_option(names, path, help).type_name("FILE");
+    return add_option(names, path, help, "FILE");
   }
   // An option whose values have names. The initial `value` is its default, and must be among them.
   template <class Value>
@@ -103,7 +104,8 @@ public:
   // All options of the heading but `needed` itself need it.
   void group_needs(const std::string& heading, Option needed) const;
   void footer(const std::string& text) const;
-  std::vector<Option> options() const;
+  // Names and headings of the options that were given.
+  std::vector<std::pair<std::string, std::string>> given_options() const;
 
   // An option that has no effect beside the others.
   struct Useless {

@@ -18,9 +18,8 @@ template <class Trace>
 auto repeated(int warm_up, int repeat, const Trace& trace) {
   for (int i = 0; i < warm_up; ++i)
     static_cast<void>(trace());
-  std::vector<double> seconds;
   auto result = trace();
-  seconds.push_back(result.seconds.trace);
+  std::vector<double> seconds{result.seconds.trace};
   while (seconds.size() < static_cast<std::size_t>(repeat)) {
     result = trace();
     seconds.push_back(result.seconds.trace);

@@ -73,7 +73,11 @@ TextBlock text_block(const std::string& text, double size, double width);
 // `top`: of the first line.
 void draw_text_block(cairo_t* cairo, double left, double top, const TextBlock& block);
 
-// --- Colour bars ------------------------------------------------------------------------------------------
+// --- Ticks and colour bars --------------------------------------------------------------------------------
+
+// Multiples of 1, 2 or 5 times a power of ten from low to high, at most `most` (2 or more) of them; whole
+// numbers alone on request.
+std::vector<double> linear_ticks(double low, double high, int most, bool whole = false);
 
 // From values to 0 … 1.
 struct ColorScale {

@@ -1,6 +1,6 @@
 #include "tools/draw/slice_chart.h"
 
-#include "tools/draw/axis_ticks.h"
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -9,6 +9,10 @@ namespace {
 
 constexpr Rgb outline_color{214, 40, 20};
 constexpr double tick_length = 0.3; // in em
+
+std::string tick_text(double tick) {
+  return fmt::format("{:.6g}", tick);
+}
 
 double widest(std::span<const double> ticks, double em) {
   double width = 0;

@@ -28,19 +28,9 @@ constexpr std::size_t most_svg_cells = std::size_t{1} << 18;
 // A cell's value; none for those that list nothing, coloured by references. Volumes are in voxels of the
 // division.
 std::optional<double> value_of(const SliceCell& cell, SliceColor color, std::int32_t nested_log2) {
-  switch (color) {
-  case SliceColor::volume:
-    return std::ldexp(static_cast<double>(cell.voxels), -3 * nested_log2);
-  case SliceColor::depth:
-    return cell.depth;
-  default:
-    if (cell.references == 0) return std::nullopt;
-    return cell.references;
-  }
-}
-
-bool is_light(Rgb color) {
-  return 2 * color[0] + 5 * color[1] + color[2] > 8 * 110;
+  if (color == SliceColor::volume) return std::ldexp(static_cast<double>(cell.voxels), -3 * nested_log2);
+  if (color == SliceColor::depth) return cell.depth;
+  return cell.references == 0 ? std::nullopt : std::optional<double>(cell.references);
 }
 
 // --- Cells -----------------------------------------------------------------------------------------------
@@ -72,9 +62,10 @@ public:
   void add(const DrawingBox& box, std::optional<double> darkness, bool with_lines) {
     constexpr double room_for_lines = 4;
     const Rgb color = darkness ? shade_of(map_, *darkness) : white;
+    const bool is_light = 2 * color[0] + 5 * color[1] + color[2] > 8 * 110;
     if (darkness) cells_[std::lround(*darkness * most_shade)].push_back(box);
     if (with_lines && box.width() >= room_for_lines && box.height() >= room_for_lines)
-      (is_light(color) ? with_dark_lines_ : with_light_lines_).push_back(box);
+      (is_light ? with_dark_lines_ : with_light_lines_).push_back(box);
   }
 
   // From light to dark: a pixel shows the darkest of its cells.
@@ -131,16 +122,10 @@ std::string title_of(const StructureFile& file, const SlicePlane& plane, const G
 }
 
 const char* kind_of(fb::Merge merge) {
-  switch (merge) {
-  case fb::Merge::none:
-    return "uniform grid";
-  case fb::Merge::x:
-    return "grid merged along x";
-  case fb::Merge::balance:
-    return "grid merged by balance";
-  default:
-    return "irregular grid";
-  }
+  return merge == fb::Merge::none      ? "uniform grid"
+         : merge == fb::Merge::x       ? "grid merged along x"
+         : merge == fb::Merge::balance ? "grid merged by balance"
+                                       : "irregular grid";
 }
 
 std::string subtitle_of(const StructureFile& file, const SliceWindow& window, bool has_outline) {

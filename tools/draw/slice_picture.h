@@ -11,7 +11,7 @@
 
 namespace masu {
 
-// What a cell's colour shows: its references; its volume; or its depth (libgrid/statistics/boxes.h).
+// What a cell's colour shows: its references; its volume; or its depth (libgrid/statistics/cells.h).
 enum class SliceColor { references, volume, depth };
 
 struct SliceStyle {

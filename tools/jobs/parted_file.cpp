@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -34,10 +35,6 @@ SharedFile::SharedFile(const std::string& path, PartedForm form, Ranks& ranks)
   if (file_ < 0) fail("can't be opened by all ranks");
 }
 
-SharedFile::~SharedFile() {
-  if (file_ >= 0) ::close(file_);
-}
-
 void SharedFile::write(std::uint64_t part, std::vector<std::uint8_t> bytes) const {
   if (form_.begin) {
     const std::uint64_t size = bytes.size();
@@ -45,11 +42,6 @@ void SharedFile::write(std::uint64_t part, std::vector<std::uint8_t> bytes) cons
     bytes.insert(bytes.begin(), first, first + slot_head);
   }
   if (!write_all_at(file_, form_.offset(part), bytes)) fail("can't be written");
-}
-
-// Some file systems say only now that something wasn't written.
-void SharedFile::close() {
-  if (::close(std::exchange(file_, -1)) != 0) fail("can't be written");
 }
 
 void SharedFile::commit() {
@@ -71,6 +63,19 @@ void check_is_file(const std::string& path) {
   if (is_standard_output(path) || (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)))
     throw Error(ErrorCode::usage, path,
                 "isn't a regular file, which several ranks and --resume need: name a file");
+}
+
+bool is_kept(const std::string& path, const KnownBy& known_by) {
+  constexpr std::uint64_t before = 4096; // of a JPEG's comment: its tables
+  try {
+    const InputFile file(path);
+    if (known_by.bytes && file.size() != *known_by.bytes) return false;
+    std::string begin(std::min(file.size(), known_by.text.size() + before), ' ');
+    file.read(0, {reinterpret_cast<std::uint8_t*>(begin.data()), begin.size()});
+    return begin.find(known_by.text) != std::string::npos;
+  } catch (const Error&) { // none, a folder, a pipe
+    return false;
+  }
 }
 
 } // namespace masu

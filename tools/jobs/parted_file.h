@@ -1,8 +1,11 @@
-// Files whose parts are made in any order, by several threads or by several ranks.
+// Files whose parts are made in any order, by several threads or by several ranks; and which of those that
+// are there are kept.
 #pragma once
 
 #include "libscene/file/output_file.h"
 #include "tools/jobs/ranks.h"
+
+#include <unistd.h>
 
 #include <cstdint>
 #include <functional>
@@ -83,14 +86,19 @@ class SharedFile {
 public:
   // Collective (ranks.h). Throws Error(output).
   SharedFile(const std::string& path, PartedForm form, Ranks& ranks);
-  ~SharedFile();
+  ~SharedFile() {
+    if (file_ >= 0) ::close(file_);
+  }
   SharedFile(const SharedFile&) = delete;
   SharedFile& operator=(const SharedFile&) = delete;
 
   // By any thread. Throws Error(output).
   void write(std::uint64_t part, std::vector<std::uint8_t> bytes) const;
-  // Collective, when this rank writes no more: what it wrote is there for others. Throws Error(output).
-  void close();
+  // Collective, when this rank writes no more: what it wrote is there for others. Throws Error(output): some
+  // file systems say only now that something wasn't written.
+  void close() {
+    if (::close(std::exchange(file_, -1)) != 0) fail("can't be written");
+  }
   // By rank 0, when all ranks have closed it. Throws Error(output).
   void commit();
 
@@ -106,5 +114,19 @@ private:
 
 // Throws Error(usage) for what several ranks and --resume can't write: anything but a regular file.
 void check_is_file(const std::string& path);
+
+// --- What --resume keeps: outputs appear whole, so what is there is finished -----------------------------
+
+// described: pictures whose own texts say that they are what would be made.
+enum class Resume { off, described, all };
+
+// What a file that is there must be like to be kept.
+struct KnownBy {
+  std::string text{};                   // at its beginning, or near it
+  std::optional<std::uint64_t> bytes{}; // its size
+};
+
+// Whether a regular file that can be read is there and is like that.
+bool is_kept(const std::string& path, const KnownBy& known_by);
 
 } // namespace masu

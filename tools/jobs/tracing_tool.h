@@ -6,8 +6,7 @@
 #include "libscene/file/file_mapping.h"
 #include "renderer/tracer/tracer.h"
 #include "tools/common/tracing_options.h"
-#include "tools/jobs/gpus.h"
-#include "tools/jobs/kept_file.h"
+#include "tools/jobs/parted_file.h"
 #include "tools/jobs/ranks.h"
 #include "tools/jobs/tracing_report.h"
 
@@ -22,27 +21,29 @@ namespace masu {
 // may use all; in force while the result lives.
 ThreadLimit limit_threads(const TracingOptions& options, const Ranks& ranks);
 
-// The scene and the grid, and what traces rays through them.
-class OpenedScene {
-public:
-  // gpus: none for the CPU. Throws as SceneFile, StructureFile and ResidentTracer do.
-  OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& gpus);
+// The GPUs to trace on, or none for the CPU. Throws Error(usage) for what isn't a list of GPUs and for
+// options that contradict each other, Error(device) for GPUs that are named and aren't there.
+//
+// Collective. Ranks of one machine share its GPUs out: by default all of them. Where they are chosen
+// automatically, all ranks trace on GPUs, or all on CPUs.
+std::vector<int> gpus_of(const TracingOptions& options, Ranks& ranks);
 
-  const SceneFile& scene() const { return scene_; }
-  const ResidentTracer& tracer() const { return tracer_; }
-  const std::vector<int>& gpus() const { return gpus_; }
+// The scene and the grid, and what traces rays through them.
+struct OpenedScene {
+  // wanted_gpus: none for the CPU. Throws as SceneFile, StructureFile and ResidentTracer do.
+  OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& wanted_gpus);
+
   nlohmann::ordered_json hashes() const; // {scene_hash, grid_hash}: null without a grid
   // Of both files together.
   double load_seconds(double LoadSeconds::*part) const {
-    return scene_.load_seconds().*part + (grid_ ? grid_->load_seconds().*part : 0);
+    return scene.load_seconds().*part + (grid ? grid->load_seconds().*part : 0);
   }
 
-private:
-  const MappingFaults faults_;
-  const std::vector<int> gpus_;
-  const SceneFile scene_;
-  const std::unique_ptr<const StructureFile> grid_; // none with --brute-force
-  const ResidentTracer tracer_;
+  const MappingFaults faults;
+  const std::vector<int> gpus;
+  const SceneFile scene;
+  const std::unique_ptr<const StructureFile> grid; // none with --brute-force
+  const ResidentTracer tracer;
 };
 
 // What --resume keeps: Resume::all unless the file of --stats or --times is there and says that the last

@@ -43,8 +43,7 @@ struct FieldFormat {
   bool is_of_ray = false; // not of each hit
 
   // Of a ray with a row of so many hits, or for 0 with one.
-  std::size_t hits(std::uint32_t row) const { return row == 0 || is_of_ray ? 1 : row; }
-  std::size_t all_numbers(std::uint32_t row) const { return numbers * hits(row); }
+  std::size_t all_numbers(std::uint32_t row) const { return row == 0 || is_of_ray ? numbers : numbers * row; }
 
   std::string numpy_type(std::uint32_t row) const {
     std::string shape = row == 0 || is_of_ray ? "" : fmt::format("{},", row);
@@ -74,22 +73,6 @@ constexpr FieldFormat field_formats[] = {
 
 const FieldFormat& format_of(HitField field) {
   return *std::ranges::find(field_formats, field, &FieldFormat::field);
-}
-
-// Of a hit, or of a ray.
-void append_field(std::vector<std::uint8_t>& text, const FieldFormat& format, const std::uint8_t* bytes) {
-  for (std::size_t n = format.numbers; n > 0; --n, bytes += format.number.bytes)
-    format.number.append(text, bytes);
-}
-
-// A line; the last comma becomes its end.
-void append_line(std::vector<std::uint8_t>& text, const std::vector<HitField>& fields,
-                 const std::uint8_t* record) {
-  for (const HitField field : fields) {
-    append_field(text, format_of(field), record);
-    record += bytes_of(field, 0);
-  }
-  text.back() = '\n';
 }
 
 } // namespace
@@ -179,19 +162,22 @@ KnownBy HitFormat::known_by(std::optional<std::uint64_t> records) const {
   return {begin, begin.size() + *records * record_bytes_};
 }
 
-// A line for each hit of a ray.
-void HitFormat::append_hits(std::vector<std::uint8_t>& text, std::uint64_t ray,
-                            const std::uint8_t* record) const {
-  std::uint32_t count = 0;
-  std::memcpy(&count, record, sizeof count);
-  for (std::uint32_t hit = 0; hit < count; ++hit) {
-    fmt::format_to(std::back_inserter(text), "{},{},", ray, hit);
-    const std::uint8_t* numbers = record + sizeof count;
-    for (const HitField field : std::span(fields_).subspan(1)) {
-      append_field(text, format_of(field), numbers + hit * bytes_of(field, 0));
-      numbers += bytes_of(field, row_);
+void HitFormat::append_lines(std::vector<std::uint8_t>& text, std::uint64_t ray,
+                             const std::uint8_t* record) const {
+  const bool of_hits = has_lines_of_hits();
+  std::uint32_t lines = 1;
+  if (of_hits) std::memcpy(&lines, record, sizeof lines);
+  for (std::uint32_t hit = 0; hit < lines; ++hit) {
+    if (of_hits) fmt::format_to(std::back_inserter(text), "{},{},", ray, hit);
+    const std::uint8_t* array = record + (of_hits ? sizeof lines : 0);
+    for (const HitField field : std::span(fields_).subspan(of_hits ? 1 : 0)) {
+      const FieldFormat& format = format_of(field);
+      const std::size_t bytes = format.number.bytes;
+      for (std::size_t n = hit * format.numbers; n != (hit + 1) * format.numbers; ++n)
+        format.number.append(text, array + n * bytes);
+      array += bytes_of(field, row_);
     }
-    text.back() = '\n';
+    text.back() = '\n'; // instead of the last comma
   }
 }
 
@@ -206,10 +192,8 @@ std::vector<std::uint8_t> HitFormat::part(std::vector<std::uint8_t> records, std
   std::vector<std::vector<std::uint8_t>> texts((count + records_per_task - 1) / records_per_task);
   parallel_for(texts.size(), [&](std::size_t task) {
     const std::size_t end = std::min(count, (task + 1) * records_per_task);
-    for (std::size_t i = task * records_per_task; i < end; ++i) {
-      const std::uint8_t* const record = records.data() + i * record_bytes_;
-      row_ > 0 ? append_hits(texts[task], first + i, record) : append_line(texts[task], fields_, record);
-    }
+    for (std::size_t i = task * records_per_task; i < end; ++i)
+      append_lines(texts[task], first + i, records.data() + i * record_bytes_);
   });
   std::vector<std::uint8_t> all_texts;
   for (const auto& text : texts)

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "renderer/render_pixel.h"
-#include "tools/jobs/kept_file.h"
 #include "tools/jobs/parted_file.h"
 
 #include <functional>
@@ -57,7 +56,8 @@ private:
   enum class Form { records, npy, text };
 
   bool has_lines_of_hits() const { return is_text() && row_ > 0; }
-  void append_hits(std::vector<std::uint8_t>& text, std::uint64_t ray, const std::uint8_t* record) const;
+  // Of a ray: one, or one for each of its hits.
+  void append_lines(std::vector<std::uint8_t>& text, std::uint64_t ray, const std::uint8_t* record) const;
 
   Form form_;
   std::vector<HitField> fields_;

@@ -26,6 +26,11 @@ bool is_plainly_text(std::span<const std::uint8_t> bytes) {
   });
 }
 
+std::vector<std::uint8_t> bytes_of(const std::vector<double>& rays) {
+  const auto* const first = reinterpret_cast<const std::uint8_t*>(rays.data());
+  return {first, first + rays.size() * sizeof(double)};
+}
+
 } // namespace
 
 RayFile::RayFile(const std::string& path, const RayFormat& numbers)
@@ -135,11 +140,6 @@ RaysRead RayFile::next_lines(std::size_t count) {
   }
   next.rays = bytes_of(numbers);
   return next;
-}
-
-std::vector<std::uint8_t> RayFile::bytes_of(const std::vector<double>& rays) const {
-  const auto* const first = reinterpret_cast<const std::uint8_t*>(rays.data());
-  return {first, first + rays.size() * sizeof(double)};
 }
 
 // --- In chunks ---------------------------------------------------------------------------------------------

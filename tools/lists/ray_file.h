@@ -58,7 +58,6 @@ private:
   void read_more_text();
   RaysRead next_lines(std::size_t count);
   std::string chunk_starts();
-  std::vector<std::uint8_t> bytes_of(const std::vector<double>& rays) const;
   [[noreturn]] void fail_by_bytes(std::uint64_t bytes) const;
   [[noreturn]] void fail_by_rays(std::uint64_t rays) const;
 

@@ -3,14 +3,14 @@
 #include "libscene/base/error.h"
 #include "libscene/base/parallel.h"
 #include "libscene/base/stopwatch.h"
+#include "libscene/file/input_file.h"
 #include "renderer/rays/automatic_loop.h"
 #include "tools/common/progress.h"
 #include "tools/common/repeated.h"
 #include "tools/jobs/run_tasks.h"
-#include "tools/lists/excluded_file.h"
+#include "tools/lists/npy.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <future>
@@ -143,6 +143,54 @@ private:
   std::future<std::shared_ptr<Chunk>> coming_;
 };
 
+// An int32 for each ray of a list, -1 for none: the numbers alone, or a NumPy array of shape (N,).
+class ExcludedFile {
+public:
+  // `rays`: of the list, where that is known. Throws Error(input) for what isn't such a file, or of another
+  // number of rays.
+  ExcludedFile(const std::string& path, std::optional<std::uint64_t> rays) : file_(path) {
+    const auto fail = [&](const std::string& what) { throw Error(ErrorCode::input, path, what); };
+    std::uint64_t bytes = file_.size();
+    const auto is_read = [&](void* to, std::size_t count) {
+      if (count > file_.size() - first_byte_) return false;
+      file_.read(first_byte_, {static_cast<std::uint8_t*>(to), count});
+      first_byte_ += count;
+      return true;
+    };
+    std::string start(npy_magic.size(), ' ');
+    const bool is_npy = is_read(start.data(), start.size()) && start == npy_magic;
+    first_byte_ = 0;
+    if (is_npy) {
+      const std::optional<NpyArray> array = read_npy_head(is_read);
+      if (!array || (array->type != "<i4" && array->type != "<u4") || array->shape.size() != 1)
+        fail("isn't a NumPy array of int32 of shape (N,)");
+      bytes -= first_byte_;
+      if (array->shape[0] != bytes / sizeof(PrimitiveIndex)) fail("isn't as long as its header says");
+    } else if (path.ends_with(".npy")) {
+      fail("isn't a NumPy array");
+    }
+    if (bytes % sizeof(PrimitiveIndex) != 0) fail("isn't a whole number of int32 numbers");
+    count_ = bytes / sizeof(PrimitiveIndex);
+    if (rays && *rays != count_) fail(fmt::format("holds {} primitives for {} rays", count_, *rays));
+  }
+
+  // Of `count` rays from `first` on. Throws Error(input) where the file has no more. For threads at the same
+  // time.
+  std::vector<PrimitiveIndex> of_rays(std::uint64_t first, std::size_t count) const {
+    if (first > count_ || count > count_ - first)
+      throw Error(ErrorCode::input, file_.path(),
+                  fmt::format("holds {} primitives, fewer than rays", count_));
+    std::vector<PrimitiveIndex> excluded(count);
+    file_.read(first_byte_ + first * sizeof(PrimitiveIndex),
+               {reinterpret_cast<std::uint8_t*>(excluded.data()), count * sizeof(PrimitiveIndex)});
+    return excluded;
+  }
+
+private:
+  InputFile file_;
+  std::uint64_t first_byte_ = 0, count_ = 0;
+};
+
 // Tracing and writing of chunks, in any order and at the same time.
 class ListTracer {
 public:
@@ -242,10 +290,10 @@ private:
 
   // Collective: whether the hits are there, by rank 0.
   void find_kept() {
-    std::array<std::uint64_t, 1> kept{};
-    if (ranks_.rank() == 0 && masu::is_kept(job_.hits, format_.known_by(file_.count()))) kept[0] = 1;
-    ranks_.sum(std::span<std::uint64_t>(kept));
-    report_.kept = kept[0];
+    std::string kept; // k where they are
+    if (ranks_.rank() == 0 && masu::is_kept(job_.hits, format_.known_by(file_.count()))) kept = "k";
+    ranks_.broadcast(kept);
+    report_.kept = kept.size();
   }
 
   // Collective.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/tracer/tracer.h"
-#include "tools/jobs/kept_file.h"
+#include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_report.h"
 #include "tools/lists/hit_file.h"
 #include "tools/lists/ray_file.h"
@@ -16,7 +16,7 @@ struct RayListJob {
   std::string rays{};     // a file, or - for standard input (ray_file.h)
   std::string hits{};     // a file, or - for standard output; empty: nothing is written (hit_file.h)
   RayFormat format{};     // of what is numbers alone
-  std::string excluded{}; // a file (excluded_file.h); empty: nothing is
+  std::string excluded{}; // a file of primitives; empty: nothing is
   std::vector<std::uint32_t> object_masks{}; // RayFilters; empty: every object is hit
   std::vector<HitField> fields{};
   RaysRequest request{};

@@ -20,22 +20,13 @@ namespace {
 // Calls act(values, NumPy's type, numbers a value).
 template <class Act>
 void with_values(const Channels& channels, Channel channel, const Act& act) {
-  switch (channel) {
-  case Channel::depth:
-    return act(std::span(channels.depth), "'<f4'", 1);
-  case Channel::normal:
-    return act(std::span(channels.normal), "'<f4'", 3);
-  case Channel::object:
-    return act(std::span(channels.object), "'<i4'", 1);
-  case Channel::primitive:
-    return act(std::span(channels.primitive), "'<i4'", 1);
-  case Channel::cells:
-    return act(std::span(channels.cells), "'<u4'", 1);
-  case Channel::tests:
-    return act(std::span(channels.tests), "'<u4'", 1);
-  case Channel::idle:
-    return act(std::span(channels.idle), "'<f4'", 1);
-  }
+  if (channel == Channel::depth) return act(std::span(channels.depth), "'<f4'", 1);
+  if (channel == Channel::normal) return act(std::span(channels.normal), "'<f4'", 3);
+  if (channel == Channel::object) return act(std::span(channels.object), "'<i4'", 1);
+  if (channel == Channel::primitive) return act(std::span(channels.primitive), "'<i4'", 1);
+  if (channel == Channel::cells) return act(std::span(channels.cells), "'<u4'", 1);
+  if (channel == Channel::tests) return act(std::span(channels.tests), "'<u4'", 1);
+  act(std::span(channels.idle), "'<f4'", 1);
 }
 
 void write_values(const Channels& channels, Channel channel, ChannelFormat format, const std::string& path) {

@@ -45,26 +45,9 @@ PictureBands::PictureBands(const RayWindow& rays, Sampling sampling, ImageFormat
                    : std::max(least_png_bands, (least_rows + png_rows - 1) / png_rows) * png_rows;
 }
 
-RayWindow PictureBands::rays(std::size_t band) const {
-  return {rays_.first_column, rays_.first_row + first_row(band), rays_.columns, rows(band) + more_};
-}
-
-std::uint64_t PictureBands::rays_counted(std::size_t band) const {
-  const std::int32_t counted = rows(band) + (is_last(band) ? more_ : 0);
-  return static_cast<std::uint64_t>(counted) * static_cast<std::uint64_t>(rays_.columns);
-}
-
-std::size_t PictureBands::largest_band_rays() const {
-  return static_cast<std::size_t>(rays_.columns) * static_cast<std::size_t>(rows(0) + more_);
-}
-
 std::vector<std::uint8_t> PictureBands::hits(std::size_t band, const Frame& frame) const {
   const auto* const first = reinterpret_cast<const std::uint8_t*>(frame.hits.data());
   return {first, first + rays_counted(band) * sizeof(HitRecord)};
-}
-
-std::uint64_t PictureBands::first_hit(std::size_t band) const {
-  return static_cast<std::uint64_t>(first_row(band)) * static_cast<std::uint64_t>(rays_.columns);
 }
 
 std::vector<std::uint8_t> PictureBands::picture(std::size_t band, const Frame& frame,
@@ -92,11 +75,6 @@ std::uint64_t PictureBands::pfm_offset(std::size_t band) const {
   return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
 }
 
-std::uint64_t PictureBands::pfm_bytes() const {
-  const std::uint64_t pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_);
-  return pfm_head(width(), height_).size() + pixels * sizeof(Vec3f);
-}
-
 KnownBy PictureBands::known_by(const PictureTexts& texts) const {
   if (format_ == ImageFormat::pfm) return {pfm_head(width(), height_), pfm_bytes()};
   const std::vector<std::uint8_t> head =
@@ -121,10 +99,6 @@ PartedForm PictureBands::picture_form(std::function<PictureTexts()> texts) const
             const auto writer = std::make_shared<PngWriter>(file, width(), height_, texts());
             return [writer](std::span<const std::uint8_t> part) { writer->write(png_rows(part)); };
           }};
-}
-
-std::uint64_t PictureBands::hit_count() const {
-  return static_cast<std::uint64_t>(rays_.columns) * static_cast<std::uint64_t>(rays_.rows);
 }
 
 } // namespace masu

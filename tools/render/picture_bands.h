@@ -2,7 +2,6 @@
 #pragma once
 
 #include "renderer/image/image.h"
-#include "tools/jobs/kept_file.h"
 #include "tools/jobs/parted_file.h"
 
 namespace masu {
@@ -19,10 +18,17 @@ public:
 
   // The rays of a band. With Sampling::corners the last row of rays of each band but the last is the next
   // one's first, which traces it again: the band that doesn't end the picture neither counts nor writes it.
-  RayWindow rays(std::size_t band) const;
+  RayWindow rays(std::size_t band) const {
+    return {rays_.first_column, rays_.first_row + first_row(band), rays_.columns, rows(band) + more_};
+  }
   bool is_last(std::size_t band) const { return band + 1 == count(); }
-  std::uint64_t rays_counted(std::size_t band) const;
-  std::size_t largest_band_rays() const;
+  std::uint64_t rays_counted(std::size_t band) const {
+    const std::int32_t counted = rows(band) + (is_last(band) ? more_ : 0);
+    return static_cast<std::uint64_t>(counted) * static_cast<std::uint64_t>(rays_.columns);
+  }
+  std::size_t largest_band_rays() const {
+    return static_cast<std::size_t>(rays_.columns) * static_cast<std::size_t>(rows(0) + more_);
+  }
 
   // What a band's frame gives for the picture's files: 8-byte records of the hits, and rows of the picture. A
   // PFM file's have the file's head with them; others' are encoded, and follow each other.
@@ -34,13 +40,22 @@ public:
   // What the picture's file is known by.
   KnownBy known_by(const PictureTexts& texts) const;
 
-  std::uint64_t first_hit(std::size_t band) const; // its index in the picture
-  std::uint64_t hit_count() const;                 // of the whole picture
+  // Its index in the picture.
+  std::uint64_t first_hit(std::size_t band) const {
+    return static_cast<std::uint64_t>(first_row(band)) * static_cast<std::uint64_t>(rays_.columns);
+  }
+  // Of the whole picture.
+  std::uint64_t hit_count() const {
+    return static_cast<std::uint64_t>(rays_.columns) * static_cast<std::uint64_t>(rays_.rows);
+  }
 
 private:
   std::int32_t first_row(std::size_t band) const { return static_cast<std::int32_t>(band) * band_rows_; }
   std::uint64_t pfm_offset(std::size_t band) const;
-  std::uint64_t pfm_bytes() const;
+  std::uint64_t pfm_bytes() const {
+    const std::uint64_t pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_);
+    return pfm_head(width(), height_).size() + pixels * sizeof(Vec3f);
+  }
   std::int32_t rows(std::size_t band) const { return std::min(band_rows_, height_ - first_row(band)); }
 
   RayWindow rays_;

@@ -203,7 +203,7 @@ public:
   void write(RenderedBand& rendered) {
     const auto& [view, band, frame] = rendered;
     const Stopwatch watch;
-    layout_.is_shared(view) ? write_shared(view, band, frame) : write_alone(view, band, frame);
+    write_parts(view, band, frame);
     ranks_.add_finished(1);
     const std::lock_guard lock(mutex_);
     report_.totals += {layout_.bands[view].rays_counted(band), 0, frame.counts};
@@ -243,17 +243,15 @@ private:
     return chosen.view->precision;
   }
 
-  struct NextBand {
-    std::size_t view, band;
-  };
-  std::optional<NextBand> next_band() {
+  // Its view and its number.
+  std::optional<std::pair<std::size_t, std::size_t>> next_band() {
     const std::lock_guard lock(taking_);
     if (taken_.first == taken_.end) {
       const std::uint64_t next = ranks_.next();
       if (next >= layout_.taken.size()) return {};
       taken_ = layout_.taken[next];
     }
-    return NextBand{taken_.view, taken_.first++};
+    return std::pair(taken_.view, taken_.first++);
   }
 
   void show_progress() {
@@ -292,16 +290,12 @@ private:
     std::atomic<std::size_t> written = 0;           // bands, by this process alone
   };
 
-  void write_shared(std::size_t view, std::size_t band, const Frame& frame) {
-    const Output& output = outputs_[view];
-    for (std::size_t i = 0; i < output.files.size(); ++i)
-      output.shared[i]->write(band, output.files[i].part(band, frame));
-  }
-
-  // The first band that comes opens the view's files, and the last one commits them.
-  void write_alone(std::size_t view, std::size_t band, const Frame& frame) {
+  // Of a view that this process writes alone the first band that comes opens the files, and the last one
+  // commits them.
+  void write_parts(std::size_t view, std::size_t band, const Frame& frame) {
     Output& output = outputs_[view];
-    {
+    const bool is_shared = layout_.is_shared(view);
+    if (!is_shared) {
       const std::lock_guard lock(mutex_);
       if (output.files.empty()) {
         std::vector<ViewFile> files = files_of(request_, layout_.bands[view], view);
@@ -313,9 +307,12 @@ private:
         output.alone = std::move(opened);
       }
     }
-    for (std::size_t i = 0; i < output.files.size(); ++i)
-      output.alone[i]->write(band, output.files[i].part(band, frame));
-    if (++output.written < layout_.bands[view].count()) return;
+    for (std::size_t i = 0; i < output.files.size(); ++i) {
+      std::vector<std::uint8_t> part = output.files[i].part(band, frame);
+      is_shared ? output.shared[i]->write(band, std::move(part))
+                : output.alone[i]->write(band, std::move(part));
+    }
+    if (is_shared || ++output.written < layout_.bands[view].count()) return;
     for (const auto& file : output.alone)
       file->commit();
     output.alone.clear();

@@ -4,7 +4,7 @@
 
 #include "renderer/image/image.h"
 #include "renderer/tracer/tracer.h"
-#include "tools/jobs/kept_file.h"
+#include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_report.h"
 #include "tools/lists/hit_file.h"
 #include "tools/render/views.h"

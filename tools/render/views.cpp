@@ -1,7 +1,6 @@
 #include "tools/render/views.h"
 
 #include "libscene/base/error.h"
-#include "libscene/file/input_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,6 +84,11 @@ Line parsed(const std::string& text, std::string place) {
   return line;
 }
 
+// View `index` of `count`, as wide as the largest index.
+std::string index_name(std::size_t index, std::size_t count) {
+  return fmt::format("{:0{}}", index, fmt::formatted_size("{}", std::max<std::size_t>(count, 1) - 1));
+}
+
 } // namespace
 
 std::optional<CameraFault> fault_of(const Camera& camera, const Boxd& places) {
@@ -115,28 +119,20 @@ Boxd camera_places(const SceneFile& scene) {
   return {{o.x - reach, o.y - reach, o.z - reach}, {o.x + reach, o.y + reach, o.z + reach}};
 }
 
-Crop parse_crop(const char* option, const std::string& text) {
+RayWindow cropped(const char* option, const std::string& text, const Camera& camera, Sampling sampling) {
   std::array<std::int32_t, 4> c{};
   if (!read_numbers(text, ',', c) || c[0] < 0 || c[1] < 0 || c[2] < 1 || c[3] < 1)
     throw Error(ErrorCode::usage, option, fmt::format("'{}' isn't X,Y,W,H with at least one pixel", text));
-  return {c[0], c[1], c[2], c[3]};
-}
-
-RayWindow window_of(const Crop& crop, const Camera& camera, Sampling sampling, const char* option) {
-  if (crop.x >= camera.width || crop.y >= camera.height || crop.width > camera.width - crop.x ||
-      crop.height > camera.height - crop.y)
+  const auto [x, y, width, height] = c;
+  if (x >= camera.width || y >= camera.height || width > camera.width - x || height > camera.height - y)
     throw Error(ErrorCode::usage, option,
-                fmt::format("{},{},{},{} isn't within a picture of {}x{}", crop.x, crop.y, crop.width,
-                            crop.height, camera.width, camera.height));
+                fmt::format("{},{},{},{} isn't within a picture of {}x{}", x, y, width, height, camera.width,
+                            camera.height));
   const std::int32_t more = sampling == Sampling::corners ? 1 : 0;
-  return {crop.x, crop.y, crop.width + more, crop.height + more};
+  return {x, y, width + more, height + more};
 }
 
-std::vector<View> read_views(const std::string& path, const Camera& base, const Boxd& places) {
-  return parse_views(read_text_input(path), path == "-" ? "stdin" : path, base, places);
-}
-
-std::vector<View> parse_views(const std::string& text, const std::string& name, const Camera& base,
+std::vector<View> parse_views(const std::string& text, const std::string& path, const Camera& base,
                               const Boxd& places) {
   std::istringstream in(text);
   in.exceptions(std::ios::badbit); // else what memory doesn't suffice for would be taken for the end
@@ -145,7 +141,7 @@ std::vector<View> parse_views(const std::string& text, const std::string& name, 
   std::string content;
   for (std::size_t number = 1; std::getline(in, content); ++number) {
     if (content.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const Line line = parsed(content, fmt::format("{}:{}", name, number));
+    const Line line = parsed(content, fmt::format("{}:{}", path, number));
     Camera camera = base;
     line.read("from", camera.from);
     line.read("at", camera.at);
@@ -157,7 +153,7 @@ std::vector<View> parse_views(const std::string& text, const std::string& name, 
     views.push_back({line.name(), camera});
     lines.push_back(line.place);
   }
-  if (views.empty()) throw Error(ErrorCode::input, name, "has no view: give a JSON object per line");
+  if (views.empty()) throw Error(ErrorCode::input, path, "has no view: give a JSON object per line");
   std::unordered_map<std::string, std::size_t> known; // names
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].name.empty()) views[i].name = index_name(i, views.size());
@@ -184,10 +180,6 @@ std::vector<View> turntable(const Camera& camera, int count) {
     views.push_back(std::move(view));
   }
   return views;
-}
-
-std::string index_name(std::size_t index, std::size_t count) {
-  return fmt::format("{:0{}}", index, fmt::formatted_size("{}", std::max<std::size_t>(count, 1) - 1));
 }
 
 std::vector<std::string> file_names(const std::string& pattern, const std::vector<View>& views) {

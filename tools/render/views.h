@@ -23,14 +23,9 @@ std::optional<CameraFault> fault_of(const Camera& camera, const Boxd& places);
 // Where a scene's cameras can be so that the arithmetic holds their coordinates.
 Boxd camera_places(const SceneFile& scene);
 
-// X,Y,W,H: pixels of a picture, from its top left corner.
-struct Crop {
-  std::int32_t x, y, width, height;
-};
-Crop parse_crop(const char* option, const std::string& text);
-
-// The camera rays of a part of a picture. Throws Error(usage, option, …) where that isn't within it.
-RayWindow window_of(const Crop& crop, const Camera& camera, Sampling sampling, const char* option);
+// The camera rays of X,Y,W,H: pixels of a picture, from its top left corner. Throws Error(usage, option, …)
+// for another text, and where that isn't within the picture.
+RayWindow cropped(const char* option, const std::string& text, const Camera& camera, Sampling sampling);
 
 struct View {
   std::string name; // as part of a file name
@@ -38,20 +33,15 @@ struct View {
 };
 
 // Reads a list, a JSON object per line: name, from, at, up [x, y, z], angle (degrees), size [width, height].
-// What a line leaves out is the base's, a missing name the view's index. - is standard input. Throws
+// What a line leaves out is the base's, a missing name the view's index. `path`: in errors. Throws
 // Error(input, "path:line", …) for whatever isn't such an object, for a camera with a fault, and for a name
 // that isn't safe in a file name or that another view has.
-std::vector<View> read_views(const std::string& path, const Camera& base, const Boxd& places);
-// The same from a text; `name` is its path in errors.
-std::vector<View> parse_views(const std::string& text, const std::string& name, const Camera& base,
+std::vector<View> parse_views(const std::string& text, const std::string& path, const Camera& base,
                               const Boxd& places);
 
 // `count` views from a circle around the axis through `at` along `up`, the first one from where the camera
 // is, counterclockwise as seen from above. Names are indices.
 std::vector<View> turntable(const Camera& camera, int count);
-
-// View `index` of `count`, as wide as the largest index.
-std::string index_name(std::size_t index, std::size_t count);
 
 // The file names of all views: {index} and {name} are replaced. Throws Error(usage, pattern, …) where several
 // views would have one name.

@@ -1,7 +1,7 @@
 // gridstat --cells: a grid's cells, or a hierarchy's boxes, for other viewers and programs.
 #pragma once
 
-#include "libgrid/statistics/boxes.h"
+#include "libgrid/statistics/cells.h"
 
 #include <string>
 

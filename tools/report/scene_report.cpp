@@ -275,8 +275,8 @@ void SceneOutput::add_to(const CommandLine& command) {
           "--origin", origin,
           "the point that coordinates are stored relative to, so that errors follow the scene's extent "
           "and not its place: auto (the bounds' centre, or zero where that is nearer than half their "
-          "diagonal), none (zero) or X,Y,Z")
-      .type_name("ORIGIN")
+          "diagonal), none (zero) or X,Y,Z",
+          "ORIGIN")
       .shows_default();
   const Option info_option = command.add_flag(
       "--info", info, "print the numbers of objects and primitives, bounds, store and memory");

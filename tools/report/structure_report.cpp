@@ -1,8 +1,6 @@
 #include "tools/report/structure_report.h"
 
 #include "libgrid/statistics/cells.h"
-#include "libgrid/statistics/hierarchy_statistics.h"
-#include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
 #include "tools/common/json.h"
 #include "tools/common/print.h"
@@ -27,8 +25,8 @@ struct Statistics {
       map = map_statistics(view, records);
       division = view.division;
     };
-    file.is_merged() ? look_at(file.merged_view<double>(), file.cells())
-                     : look_at(file.view<double>(), file.references());
+    file.is_merged() ? look_at(merged_view_of<double>(file.records()), file.cells())
+                     : look_at(view_of<double>(file.records()), file.references());
   }
 
   // Coefficient of variation of the references of occupied cells: 0 when all list the same number.

@@ -99,9 +99,6 @@ std::string place_of(const WalkStep& step, StructureForm form) {
   return fmt::format("{:<6} {:>5} {:>4} {:>6} {:>6}", node.index, node.depth, node.met, node.missed,
                      node.beyond);
 }
-const char* place_title(StructureForm form) {
-  return form == StructureForm::hierarchy ? "node   depth  met missed beyond" : "voxels x y z";
-}
 
 void append(std::string& text, const WalkRay& ray, std::size_t index, StructureForm form) {
   auto out = std::back_inserter(text);
@@ -110,11 +107,11 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, StructureF
   fmt::format_to(out, "  origin {}   direction {}\n", text_of(ray.origin), text_of(ray.direction));
   if (ray.t_min > 0 || std::isfinite(ray.t_max))
     fmt::format_to(out, "  t_min {:.7g}   t_max {:.7g}\n", ray.t_min, ray.t_max);
-  const std::string title = place_title(form);
+  const bool is_hierarchy = form == StructureForm::hierarchy;
+  const std::string title = is_hierarchy ? "node   depth  met missed beyond" : "voxels x y z";
   std::size_t widest = title.size();
   for (const WalkStep& step : ray.steps)
     widest = std::max(widest, place_of(step, form).size());
-  const bool is_hierarchy = form == StructureForm::hierarchy;
   if (!ray.steps.empty())
     fmt::format_to(out, "{:>5} {:<{}} {:>9} {:>9}  tests: primitive, t\n", is_hierarchy ? "step" : "cell",
                    title, widest, "t enter", "t exit");

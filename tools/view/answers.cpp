@@ -1,8 +1,7 @@
-#include "tools/view/answers.h"
-
 #include "libscene/base/error.h"
 #include "page_files.h"
-#include "tools/common/json.h"
+#include "tools/view/http_server.h"
+#include "tools/view/viewer.h"
 
 #include <fmt/format.h>
 
@@ -86,7 +85,7 @@ PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   const bool still = quality == "still";
   frame.sampling = still && request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
   if (const std::string* const crop = parameters.find("crop"))
-    frame.window = window_of(parse_crop("crop", *crop), frame.camera, frame.sampling, "crop");
+    frame.window = cropped("crop", *crop, frame.camera, frame.sampling);
   request.quality = still ? JpegQuality{95, true} : JpegQuality{80, false};
   return request;
 }
@@ -102,12 +101,6 @@ Precision walk_precision(const Viewer& viewer, Parameters& parameters) {
 
 HttpReply json(const Json& value) {
   return {200, "application/json", json_text(value, -1)};
-}
-
-const char* type_of(std::string_view name) {
-  return name.ends_with(".html")  ? "text/html; charset=utf-8"
-         : name.ends_with(".css") ? "text/css; charset=utf-8"
-                                  : "text/javascript; charset=utf-8";
 }
 
 } // namespace
@@ -140,8 +133,7 @@ HttpReply answer(const Viewer& viewer, const HttpRequest& request) {
   } else if (is("/api/walk")) {
     const std::size_t grid = grid_of(viewer, parameters);
     const Vec3d origin = parameters.vector("origin"), direction = parameters.vector("direction");
-    WalkRequest walked;
-    walked.ray = unbounded_ray(origin, direction);
+    WalkRequest walked{.ray = unbounded_ray(origin, direction)};
     walked.all_rays = parameters.number<int>("all", 0, 1) == 1;
     walked.rules.depth = parameters.number<int>("depth", 1, largest_depth);
     walked.tracing.precision = walk_precision(viewer, parameters);
@@ -169,8 +161,9 @@ HttpReply answer(const Viewer& viewer, const HttpRequest& request) {
   }
   const std::string_view path = request.path,
                          name = path == "/" ? "page.html" : path.substr(path.starts_with('/') ? 1 : 0);
+  const char* const type = name.ends_with(".html") ? "html" : name.ends_with(".css") ? "css" : "javascript";
   if (const std::string_view text = page_file(name); !text.empty())
-    return {200, type_of(name), std::string(text)};
+    return {200, fmt::format("text/{}; charset=utf-8", type), std::string(text)};
   return {404, "application/json", R"({"error": "there is no such address"})"};
 }
 

@@ -1,8 +1,7 @@
-#include "tools/view/channel_colors.h"
-
 #include "libscene/base/error.h"
 #include "libscene/base/parallel.h"
 #include "tools/common/color_map.h"
+#include "tools/view/viewer.h"
 
 #include <algorithm>
 #include <array>
@@ -64,10 +63,7 @@ std::vector<float> channel_values(const Channels& channels, Channel channel) {
   if (channel == Channel::depth) return {channels.depth.begin(), channels.depth.end()};
   if (channel == Channel::idle) return {channels.idle.begin(), channels.idle.end()};
   const HostArray<std::uint32_t>& counts = channel == Channel::cells ? channels.cells : channels.tests;
-  std::vector<float> values(counts.size());
-  std::transform(counts.begin(), counts.end(), values.begin(),
-                 [](std::uint32_t count) { return static_cast<float>(count); });
-  return values;
+  return {counts.begin(), counts.end()};
 }
 
 std::vector<std::uint8_t> lit_bytes(std::span<const Vec3f> normals, std::span<const Ray<double>> rays) {

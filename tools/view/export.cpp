@@ -1,10 +1,8 @@
-#include "tools/view/export.h"
-
 #include "libgrid/statistics/cells.h"
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
 #include "page_files.h"
-#include "tools/common/json.h"
+#include "tools/view/viewer.h"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -13,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <new>
+#include <numeric>
 #include <string_view>
 
 namespace masu {
@@ -30,10 +29,9 @@ std::string base64(std::string_view bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0;
-    };
-    const std::uint32_t group = byte(0) << 16 | byte(1) << 8 | byte(2);
+    std::uint32_t group = 0;
+    for (std::size_t k = i; k < i + 3; ++k)
+      group = group << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
     for (std::size_t k = 0; k < 4; ++k)
       text += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63];
   }
@@ -48,17 +46,6 @@ std::string deflated_text(std::string_view text) {
                 text.size(), Z_BEST_COMPRESSION) != Z_OK)
     throw std::bad_alloc();
   return bytes.substr(2, size - 6); // without the head and the sum of zlib's format
-}
-
-// Indices of Viewer: the grids that were given, and some divisions, which have no pictures.
-std::vector<std::size_t> exported_grids(const Viewer& viewer) {
-  std::vector<std::size_t> grids;
-  for (std::size_t grid = 0; grid < viewer.grids(); ++grid)
-    grids.push_back(grid);
-  for (std::size_t i = 0; i < divisions.size(); ++i)
-    if (std::ranges::find(exported_divisions, divisions[i]) != exported_divisions.end())
-      grids.push_back(viewer.grids() + i);
-  return grids;
 }
 
 // All pictures of a view: {channel: [one a grid]}, of channels that don't depend on the grid the first one's.
@@ -85,9 +72,7 @@ Json channels_json(const Viewer& viewer, PictureRequest request) {
 Json walks_json(const Viewer& viewer, const std::vector<std::size_t>& grids, const Vec3d& origin,
                 const Vec3d& direction, Precision precision) {
   Json walks{{"hit", nullptr}, {"grids", Json::array()}};
-  WalkRequest request;
-  request.ray = unbounded_ray(origin, direction);
-  request.tracing.precision = precision;
+  const WalkRequest request{.tracing = {precision}, .ray = unbounded_ray(origin, direction)};
   for (const std::size_t grid : grids) {
     const Json walk = viewer.walk(grid, request, is_gone);
     const Json& ray = walk["rays"][0];
@@ -158,9 +143,7 @@ std::int32_t picked_pixel(int share, std::int32_t side) {
 }
 
 Json view_json(const Viewer& viewer, const std::vector<std::size_t>& grids, const Camera& camera) {
-  PictureRequest request;
-  request.frame.camera = camera;
-  request.quality = {85, true};
+  PictureRequest request{.frame = {.camera = camera}, .quality = {85, true}};
   Json json{{"camera", camera_json(camera)}, {"channels", channels_json(viewer, request)}};
   for (request.grid = 0; request.grid < viewer.grids(); ++request.grid)
     json["counts"].push_back(viewer.counts(request, is_gone));
@@ -190,7 +173,12 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
             {"points_per_side", per_side},
             {"opens_with", settings.opens_with}};
   data["scene"]["divisions"] = exported_divisions;
-  const std::vector<std::size_t> grids = exported_grids(viewer);
+  // Indices of Viewer: the grids that were given, and some divisions, which have no pictures.
+  std::vector<std::size_t> grids(viewer.grids());
+  std::iota(grids.begin(), grids.end(), std::size_t{0});
+  for (const std::int32_t division : exported_divisions)
+    grids.push_back(viewer.grids() +
+                    static_cast<std::size_t>(std::ranges::find(divisions, division) - divisions.begin()));
   for (const std::size_t grid : grids) {
     data["statistics"].push_back(viewer.statistics(grid, is_gone));
     const ViewedGrid& viewed = viewer.grid(grid, is_gone);

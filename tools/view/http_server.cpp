@@ -142,13 +142,14 @@ std::string cookie(const std::string& header, const std::string& name) {
   return {};
 }
 
-} // namespace
-
+// Whether the name of a Host header, "localhost:8080", is that of a loopback address.
 bool is_loopback_host(const std::string& host) {
   const std::size_t bracket = host.find(']'); // of an address of IPv6
   const std::string name = host.substr(0, bracket != std::string::npos ? bracket + 1 : host.find(':'));
   return name == "localhost" || name == "127.0.0.1" || name == "[::1]";
 }
+
+} // namespace
 
 bool is_loopback_address(const std::string& address) {
   return address == "localhost" || address == "127.0.0.1" || address == "::1";
@@ -164,8 +165,8 @@ std::string random_token() {
   return text;
 }
 
-HttpServer::HttpServer(const HttpSettings& settings, HttpHandler handler)
-    : settings_(settings), handler_(std::move(handler)), port_(settings.port) {
+HttpServer::HttpServer(std::string address, int port, std::string token, HttpHandler handler)
+    : address_(std::move(address)), token_(std::move(token)), handler_(std::move(handler)), port_(port) {
   new_task_queue = [] { return new BoundedPool; };
   set_default_headers(
       {{"Cache-Control", "no-store"},
@@ -192,18 +193,18 @@ HttpServer::HttpServer(const HttpSettings& settings, HttpHandler handler)
     return HandlerResponse::Handled;
   });
   if (port_ == 0)
-    port_ = bind_to_any_port(settings.address);
-  else if (!bind_to_port(settings.address, port_))
+    port_ = bind_to_any_port(address_);
+  else if (!bind_to_port(address_, port_))
     port_ = -1;
   if (port_ < 0)
-    throw Error(ErrorCode::usage, fmt::format("{} port {}", settings.address, settings.port),
+    throw Error(ErrorCode::usage, fmt::format("{} port {}", address_, port),
                 "can't be listened on: choose another --port or --bind");
 }
 
 void HttpServer::serve() {
   while (!listen_after_bind()) { // a connection can't be accepted
     stop();                      // later versions listen again only then
-    if (!bind_to_port(settings_.address, port_))
+    if (!bind_to_port(address_, port_))
       throw Error(ErrorCode::usage, fmt::format("port {}", port_), "was lost: start again");
   }
 }
@@ -245,7 +246,7 @@ void HttpServer::answer(const httplib::Request& request, httplib::Response& resp
   };
   const std::string host = request.get_header_value("Host");
   if (request.get_header_value_count("Host") != 1 || host.empty()) return fail(400, "no host is named");
-  if (settings_.token.empty() && !is_loopback_host(host)) return fail(421, "another host is named");
+  if (token_.empty() && !is_loopback_host(host)) return fail(421, "another host is named");
   if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host &&
       request.get_header_value("Origin") != "https://" + host)
     return fail(403, "another origin");
@@ -258,17 +259,16 @@ void HttpServer::answer(const httplib::Request& request, httplib::Response& resp
   for (const auto& [name, value] : request.params) {
     if (!query.parameters.emplace(name, value).second) return fail(400, "a parameter is given twice");
   }
-  if (!settings_.token.empty()) {
+  if (!token_.empty()) {
     const std::string name = fmt::format("masu_{}", port_);
-    if (is_page && query.parameters.contains("token") &&
-        are_equal(query.parameters.at("token"), settings_.token)) {
+    if (is_page && query.parameters.contains("token") && are_equal(query.parameters.at("token"), token_)) {
       response.set_header("Set-Cookie",
-                          fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", name, settings_.token));
+                          fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", name, token_));
       response.set_header("Location", "/");
       response.status = 303;
       return;
     }
-    if (!are_equal(cookie(request.get_header_value("Cookie"), name), settings_.token))
+    if (!are_equal(cookie(request.get_header_value("Cookie"), name), token_))
       return fail(401, "the token is missing: open the address that gridview printed");
   }
   try {

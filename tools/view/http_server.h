@@ -28,16 +28,11 @@ struct HttpReply {
 // Called by many threads at once. An Error becomes status 400, any other exception 500.
 using HttpHandler = std::function<HttpReply(const HttpRequest&)>;
 
-struct HttpSettings {
-  std::string address = "127.0.0.1";
-  int port = 0;        // 0: any that is free
-  std::string token{}; // without it nothing is heard but /?token=TOKEN, which sets a cookie; empty: no token
-};
-
 class HttpServer final : public httplib::Server {
 public:
-  // Throws Error(usage) where the address and port can't be had.
-  HttpServer(const HttpSettings& settings, HttpHandler handler);
+  // port 0: any that is free. Without the token nothing is heard but /?token=TOKEN, which sets a cookie; an
+  // empty one: no token. Throws Error(usage) where the address and port can't be had.
+  HttpServer(std::string address, int port, std::string token, HttpHandler handler);
 
   int port() const { return port_; }
   // Until stop(), which any thread may call.
@@ -47,14 +42,12 @@ private:
   bool process_and_close_socket(socket_t socket) override;
   void answer(const httplib::Request& request, httplib::Response& response) const;
 
-  HttpSettings settings_;
+  std::string address_, token_;
   HttpHandler handler_;
   int port_;
 };
 
-// Whether the name of a Host header, "localhost:8080", is that of a loopback address.
-bool is_loopback_host(const std::string& host);
-// The same of an address to listen on.
+// Whether an address to listen on is a loopback one.
 bool is_loopback_address(const std::string& address);
 
 // 128 random bits as hexadecimal digits.

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 
 namespace masu {
@@ -22,7 +23,13 @@ public:
   // or where too many wait already.
   template <class Work>
   auto run(const std::function<bool()>& is_gone, const Work& work) {
-    const Turn turn(*this, is_gone);
+    const Request own{is_gone};
+    wait_for(own);
+    const std::unique_ptr<Turns, void (*)(Turns*)> ended(this, [](Turns* turns) {
+      const std::lock_guard lock(turns->mutex_);
+      turns->queue_.pop_front();
+      turns->moved_.notify_all();
+    });
     return work();
   }
 
@@ -33,43 +40,31 @@ public:
   }
 
 private:
-  class Turn {
-  public:
-    Turn(Turns& turns, const std::function<bool()>& is_gone) : turns_(turns), is_gone_(is_gone) {
-      std::unique_lock lock(turns.mutex_);
-      std::deque<const Turn*>& queue = turns.queue_;
-      // A full queue asks those who wait at once, so that many who have hung up don't turn away one who is
-      // there.
-      const auto has_gone = [](const Turn* turn) { return turn->is_gone_(); };
-      if (queue.size() >= turns.most_waiting_)
-        queue.erase(std::remove_if(queue.begin() + 1, queue.end(), has_gone), queue.end());
-      if (queue.size() >= turns.most_waiting_) throw Abandoned();
-      queue.push_back(this);
-      while (queue.front() != this) {
-        turns.moved_.wait_for(lock, std::chrono::milliseconds(20));
-        if (std::find(queue.begin(), queue.end(), this) == queue.end()) throw Abandoned();
-        if (queue.front() == this || !is_gone()) continue;
-        std::erase(queue, this);
-        throw Abandoned();
-      }
-    }
-    ~Turn() {
-      const std::lock_guard lock(turns_.mutex_);
-      turns_.queue_.pop_front();
-      turns_.moved_.notify_all();
-    }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
-
-  private:
-    Turns& turns_;
-    const std::function<bool()>& is_gone_;
+  struct Request {
+    const std::function<bool()>& is_gone;
   };
+  void wait_for(const Request& own) {
+    std::unique_lock lock(mutex_);
+    // A full queue asks those who wait at once, so that many who have hung up don't turn away one who is
+    // there.
+    const auto has_gone = [](const Request* request) { return request->is_gone(); };
+    if (queue_.size() >= most_waiting_)
+      queue_.erase(std::remove_if(queue_.begin() + 1, queue_.end(), has_gone), queue_.end());
+    if (queue_.size() >= most_waiting_) throw Abandoned();
+    queue_.push_back(&own);
+    while (queue_.front() != &own) {
+      moved_.wait_for(lock, std::chrono::milliseconds(20));
+      if (std::ranges::find(queue_, &own) == queue_.end()) throw Abandoned();
+      if (queue_.front() == &own || !own.is_gone()) continue;
+      std::erase(queue_, &own);
+      throw Abandoned();
+    }
+  }
 
   std::size_t most_waiting_;
   mutable std::mutex mutex_;
   std::condition_variable moved_;
-  std::deque<const Turn*> queue_; // the first one works
+  std::deque<const Request*> queue_; // the first one works
 };
 
 } // namespace masu

@@ -1,5 +1,3 @@
-#include "tools/view/viewed_files.h"
-
 #include "libgrid/structure/chosen_structure.h"
 #include "libscene/base/printable.h"
 #include "libscene/file/input_file.h"
@@ -8,6 +6,7 @@
 #include "libscene/spd/spd.h"
 #include "tools/common/progress.h"
 #include "tools/report/scene_report.h"
+#include "tools/view/viewer.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -31,10 +30,9 @@ constexpr Wanted all_wanted[] = {{"uniform", StructureKind::uniform, "--merge", 
 void build(ViewedFiles& files, std::span<const Wanted> wanted, bool quiet) {
   std::string made = files.made_by.empty() ? "" : " " + files.path;
   for (const auto& [name, kind, option, value] : wanted) {
-    BuildOptions options;
-    options.structure.kind = kind;
     Progress progress("building", quiet);
-    StructureFile file = built_in_memory(files.scene, options, progress.callback());
+    StructureFile file =
+        built_in_memory(files.scene, {.structure = {kind}, .division = {}}, std::ref(progress));
     const std::string path =
         fmt::format("{}-{}.grid", std::filesystem::path(files.path).stem().string(), name);
     made += " " + path;
@@ -76,7 +74,7 @@ Scene read_mesh_scene(const std::string& path, const std::function<void(double)>
 Scene read_scene(const std::string& path, bool is_nff, bool quiet) {
   Progress progress("reading", quiet);
   Scene scene =
-      is_nff ? read_nff(path, {.progress = progress.callback()}) : read_mesh_scene(path, progress.callback());
+      is_nff ? read_nff(path, {.progress = std::ref(progress)}) : read_mesh_scene(path, std::ref(progress));
   print_warnings("gridview", path, scene.warnings);
   return scene;
 }

@@ -6,13 +6,10 @@
 #include "libscene/base/parallel.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/plane_cut.h"
-#include "renderer/image/deflate.h"
 #include "renderer/image/image.h"
-#include "renderer/rays/walk_report.h"
 #include "renderer/view_precision.h"
 #include "tools/common/backend.h"
 #include "tools/common/color_map.h"
-#include "tools/common/json.h"
 #include "tools/report/counts_report.h"
 #include "tools/report/slice_json.h"
 #include "tools/report/structure_report.h"
@@ -63,8 +60,8 @@ PictureRows shaded(const ResidentTracer& tracer, FrameRequest request, Picture& 
   picture.seconds.trace = frame.seconds.trace;
   picture.seconds.copy = frame.seconds.download;
   const Stopwatch watch;
-  PictureRows rows{image_width(frame, request.sampling), image_height(frame, request.sampling),
-                   rgb_rows(frame, request.sampling, false)};
+  const std::int32_t more = rays_beyond_pixels(request.sampling);
+  PictureRows rows{frame.columns - more, frame.rows - more, rgb_rows(frame, request.sampling, false)};
   picture.seconds.rows = watch.seconds();
   return rows;
 }
@@ -86,10 +83,6 @@ PictureRows channel(const ResidentTracer& tracer, const PictureRequest& request,
   return rows;
 }
 
-SlicePlane plane_of(const StructureFile& file, const SharePlane& plane) {
-  return plane_at_share(finest_layout(file), plane.axis, plane.share, "share");
-}
-
 // What camera rays meet from the plane on; nothing where they don't meet it.
 PictureRows cut(const ResidentTracer& tracer, const SlicePlane& plane, const FrameRequest& frame,
                 Picture& picture) {
@@ -107,22 +100,12 @@ PictureRows cut(const ResidentTracer& tracer, const SlicePlane& plane, const Fra
   });
   std::vector<Vec3f> normals(rays.size());
   const Stopwatch trace;
-  RayResults results;
-  results.normal = reinterpret_cast<float(*)[3]>(normals.data());
-  tracer.trace(rays, results, {frame.tracing});
+  tracer.trace(rays, {.normal = reinterpret_cast<float(*)[3]>(normals.data())}, {frame.tracing});
   picture.seconds.trace = trace.seconds();
   const Stopwatch watch;
   PictureRows rows{window.columns, window.rows, lit_bytes(normals, rays)};
   picture.seconds.rows = watch.seconds();
   return rows;
-}
-
-std::string encoded(const PictureRows& rows, const PictureRequest& request) {
-  const auto* const values = reinterpret_cast<const std::uint8_t*>(rows.values.data());
-  const std::vector<std::uint8_t> bytes = has_values(request.channel)
-                                              ? deflated({values, rows.values.size() * sizeof(float)}, true)
-                                              : jpeg(rows.rgb, rows.width, rows.height, request.quality);
-  return {bytes.begin(), bytes.end()};
 }
 
 } // namespace
@@ -133,7 +116,7 @@ Json camera_json(const Camera& camera) {
 }
 
 std::string timing_of(const Picture& picture) {
-  const PictureSeconds& s = picture.seconds;
+  const auto& s = picture.seconds;
   std::string text = fmt::format("precision;desc=\"{}\", rays;desc={}", picture.precision, picture.rays);
   if (picture.warps.turns > 0)
     text += fmt::format(", turns;desc={}, busy_lanes;desc={}", picture.warps.turns, picture.warps.busy_lanes);
@@ -159,19 +142,18 @@ std::string Viewer::files() const {
   return to_hex(hash_of({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()}));
 }
 
-ViewedGrid* Viewer::viewed(std::size_t index, const IsGone& is_gone) const {
-  if (index < grids_.size()) return grids_[index].get();
+const ViewedGrid& Viewer::grid(std::size_t index, const IsGone& is_gone) const {
+  if (index < grids_.size()) return *grids_[index];
   const std::size_t stop = index - grids_.size();
   const std::lock_guard lock(building_);
   std::unique_ptr<ViewedGrid>& grid = divided_.at(stop);
   if (grid == nullptr) {
-    BuildOptions options;
-    options.structure.kind = StructureKind::uniform;
-    options.division = parse_division(std::to_string(divisions[stop]));
+    const BuildOptions options{.structure = {StructureKind::uniform},
+                               .division = parse_division(std::to_string(divisions[stop]))};
     StructureFile file = built_in_memory(scene(), options, abandoned_when(is_gone));
     grid = std::make_unique<ViewedGrid>(ViewedStructure{"", std::move(file)}, scene(), device_);
   }
-  return grid.get();
+  return *grid;
 }
 
 Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) const {
@@ -194,12 +176,19 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
     } else {
       picture.precision = name_of(precision_);
     }
-    if (request.channel.is_cut) return cut(tracer, plane_of(viewed.file, request.cut), frame, picture);
+    if (request.channel.is_cut) {
+      const auto& [axis, share] = request.cut;
+      return cut(tracer, plane_at_share(finest_layout(viewed.file), axis, share, "share"), frame, picture);
+    }
     return request.channel.channel ? channel(tracer, request, frame, picture)
                                    : shaded(tracer, frame, picture);
   });
   const Stopwatch encode;
-  picture.bytes = encoded(rows, request);
+  const auto* const values = reinterpret_cast<const std::uint8_t*>(rows.values.data());
+  const std::vector<std::uint8_t> bytes = has_values(request.channel)
+                                              ? deflated({values, rows.values.size() * sizeof(float)}, true)
+                                              : jpeg(rows.rgb, rows.width, rows.height, request.quality);
+  picture.bytes.assign(bytes.begin(), bytes.end());
   picture.seconds.encode = encode.seconds();
   return picture;
 }
@@ -216,11 +205,9 @@ Json Viewer::counts(const PictureRequest& request, const IsGone& is_gone) const 
   return json;
 }
 
-Viewer::PickedRay Viewer::camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const {
-  FrameRequest frame;
-  frame.tracing.precision = precision_;
-  frame.camera = camera;
-  frame.sampling = Sampling::centers;
+std::pair<Ray<double>, Precision> Viewer::camera_ray(const Camera& camera, std::int32_t column,
+                                                     std::int32_t row) const {
+  const FrameRequest frame{.tracing = {precision_}, .camera = camera, .sampling = Sampling::centers};
   WalkRequest walk = camera_walk(grids_[0]->tracer, frame, column, row);
   walk.ray.origin = walk.ray.origin + scene().origin();
   return {walk.ray, walk.tracing.precision};
@@ -247,7 +234,7 @@ Json Viewer::slice(std::size_t grid, const SharePlane& wanted, std::size_t most_
     const GridLayout finest = finest_layout(file);
     const int axis = wanted.axis;
     const auto [u, v] = slice_axes(axis);
-    const SlicePlane plane = plane_of(file, wanted);
+    const SlicePlane plane = plane_at_share(finest, axis, wanted.share, "share");
     const SliceWindow window = window_of(finest, axis);
     const Vec3d step = voxel_size(finest);
     constexpr std::uint64_t most_in_layer = 1 << 16; // of which empty cells are listed
@@ -346,7 +333,7 @@ Json Viewer::description() const {
 
 Json Viewer::statistics(std::size_t grid, const IsGone& is_gone) const {
   return turns_.run(is_gone, [&] { // one at a time
-    ViewedGrid& viewed = *this->viewed(grid, is_gone);
+    const ViewedGrid& viewed = this->grid(grid, is_gone);
     if (viewed.statistics.is_null()) viewed.statistics = structure_report(viewed.file, true);
     return viewed.statistics;
   });

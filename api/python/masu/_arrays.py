@@ -5,7 +5,6 @@ argument's, for errors:
     gpu(array, name)      the number of the GPU that it lies on; None in host memory
     packed(array, name)   the same numbers as float32 or float64, contiguous and aligned: itself or a copy
     packed_int32(array, name)  the same whole numbers as int32, contiguous; of uint32 the same bits
-    is_float64(array)     of a packed array
     pointer(array)        of a packed array
     to_host(array)        NumPy's, of the same numbers
     empty(shape, type, array)  a new array where that one is; type: "float32", "float64", "int32", "uint8", "bool"
@@ -14,6 +13,7 @@ argument's, for errors:
 """
 
 import importlib
+import operator
 import sys
 from typing import Any, Tuple
 
@@ -70,6 +70,26 @@ def float32(array: Any) -> Any:
     rounded = arrays.empty(tuple(array.shape), "float32", array)
     rounded[...] = array
     return rounded
+
+
+def is_float64(packed: Any) -> bool:
+    return str(packed.dtype).endswith("float64")
+
+
+def handle_of(stream: Any) -> int:
+    """The cudaStream_t as a number: of a stream of PyTorch, CuPy or CUDA Python, or that number itself."""
+    if hasattr(stream, "__cuda_stream__"):
+        return int(stream.__cuda_stream__()[1])
+    for name in ("cuda_stream", "ptr"):
+        if hasattr(stream, name):
+            return int(getattr(stream, name))
+    try:
+        handle = operator.index(stream)
+    except TypeError:
+        raise TypeError("stream: a CUDA stream is needed, not {}".format(type(stream).__name__)) from None
+    if not 0 <= handle < 2**64:
+        raise ValueError("stream: {} isn't a stream's handle".format(handle))
+    return handle
 
 
 def check_shape(name: str, array: Any, is_right: bool, needed: Any) -> None:

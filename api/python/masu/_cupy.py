@@ -5,7 +5,7 @@ from typing import Any, Iterator, Tuple
 
 import cupy
 
-from ._streams import handle_of
+from ._arrays import handle_of
 
 
 def adopted(array: Any, stream: Any) -> "cupy.ndarray":
@@ -41,10 +41,6 @@ def packed_int32(array: "cupy.ndarray", name: str) -> "cupy.ndarray":
     if array.dtype.kind not in "biu":
         raise TypeError("{}: whole numbers are needed, not {}".format(name, array.dtype))
     return cupy.ascontiguousarray(array, cupy.int32)
-
-
-def is_float64(array: "cupy.ndarray") -> bool:
-    return bool(array.dtype == cupy.float64)
 
 
 def pointer(array: "cupy.ndarray") -> int:

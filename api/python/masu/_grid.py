@@ -5,7 +5,7 @@ import os
 from ctypes import byref
 from typing import TYPE_CHECKING, Any, NamedTuple, Tuple
 
-from ._library import Path, Progress, Written, check, choice, device_number, library, path_bytes, told
+from ._library import Path, Written, check, choice, device_number, library, told
 from ._records import MERGES, QUALITIES, STRUCTURES, BuildOptionsRecord, GridDescriptionRecord, sized
 
 if TYPE_CHECKING:
@@ -26,18 +26,10 @@ class GridDescription(NamedTuple):
 class Grid(Written):
     """A grid or bounding volume hierarchy of a scene, in memory: made by Scene.build() or load_grid()."""
 
+    _name = "grid"
+
     def __init__(self) -> None:
         raise TypeError("Grid: use Scene.build() or load_grid()")
-
-    @classmethod
-    def _of(cls, create: Any, *arguments: Any, options: Any = None, progress: Progress = None) -> "Grid":
-        grid = cls.__new__(cls)
-        grid._own("grid", create, arguments, library.masu_grid_free, options, progress)
-        return grid
-
-    @classmethod
-    def _read(cls, path: Path) -> "Grid":
-        return cls._of(library.masu_grid_read, path_bytes(path))
 
     @classmethod
     def _build(cls, scene: "Scene", given: "dict[str, Any]") -> "Grid":

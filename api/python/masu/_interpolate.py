@@ -40,7 +40,7 @@ def interpolate(hits: Mapping[str, Any], values: Any, faces: Any = None, *, stre
     with arrays.queue(ids, stream) as record.stream:
         def floats(name: str, array: Any) -> Any:
             packed = arrays.packed(array, name)
-            return _arrays.float32(packed) if arrays.is_float64(packed) else packed
+            return _arrays.float32(packed) if _arrays.is_float64(packed) else packed
 
         values, ids = floats("values", values), arrays.packed_int32(ids, "primitive_ids")
         faces = None if faces is None else arrays.packed_int32(faces, "faces")

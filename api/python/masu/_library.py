@@ -15,7 +15,7 @@ import sys
 import types
 import weakref
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_size_t, c_uint32, c_void_p
-from typing import Any, Callable, Dict, Generator, Iterator, List, Optional, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Generator, Iterator, List, Optional, Tuple, Type, TypeVar, Union
 
 from ._records import (CPU, BuildOptionsRecord, GeometryRecord, GoOn, GridDescriptionRecord, HitsRecord, MeshCheckRecord,
                        PrimitiveRecord, QueryRecord, SceneDescriptionRecord, TracerOptionsRecord, TransformsRecord,
@@ -148,12 +148,6 @@ def gpu_count() -> int:
     return count.value
 
 
-def folders_of_tools() -> List[pathlib.Path]:
-    """Where the tools may be: beside the module, of the same prefix or build as the library."""
-    folder = pathlib.Path(library._name).resolve().parent
-    return [pathlib.Path(__file__).resolve().parent / "bin", folder.parent / "bin", folder.parent.parent / "bin"]
-
-
 @contextlib.contextmanager
 def memory_file(contents: bytes = b"") -> Iterator[Tuple[int, str]]:
     """A file in memory: its descriptor, and its path in this process."""
@@ -246,12 +240,18 @@ class Resource:
 
     _handle: Optional[Handle] = None  # None once it is closed
 
-    def _own(self, name: str, create: Callable[..., int], arguments: Tuple[Any, ...], free: Callable[[c_void_p], None],
-             options: Any = None, progress: Progress = None) -> None:
-        held = Held(free)
+    _name: str  # in the functions' names
+
+    def _own(self, create: Callable[..., int], *arguments: Any, options: Any = None, progress: Progress = None) -> None:
+        held = Held(getattr(library, "masu_{}_free".format(self._name)))
         call(create, *arguments, byref(held.pointer), options=options, progress=progress)
-        self._name = name
         self._hold(held)
+
+    @classmethod
+    def _of(cls: Type[Owned], create: Callable[..., int], *arguments: Any, **options: Any) -> Owned:
+        made = cls.__new__(cls)
+        made._own(create, *arguments, **options)
+        return made
 
     def _hold(self, held: Held) -> None:
         handle = Handle(held.pointer.value)
@@ -304,6 +304,10 @@ class Resource:
 
 class Written(Resource):
     """One that can be written to a file, and is pickled as its bytes."""
+
+    @classmethod
+    def _read(cls: Type[Owned], path: Path) -> Owned:
+        return cls._of(getattr(library, "masu_{}_read".format(cls._name)), path_bytes(path))
 
     def write(self, path: Path) -> None:
         """Writes a file of it, whole or not at all."""

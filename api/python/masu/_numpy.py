@@ -35,10 +35,6 @@ def packed_int32(array: "np.ndarray[Any, Any]", name: str) -> "np.ndarray[Any, A
     return np.ascontiguousarray(array, np.int32)
 
 
-def is_float64(array: "np.ndarray[Any, Any]") -> bool:
-    return bool(array.dtype == np.float64)
-
-
 def pointer(array: "np.ndarray[Any, Any]") -> int:
     return int(array.ctypes.data)
 

@@ -61,28 +61,28 @@ class RaycastingScene:
     def cast_rays(self, rays: Any, nthreads: int = 0) -> Dict[str, Any]:
         """The first hit of each ray (..., 6), origin and direction: t_hit (infinity for a miss), geometry_ids and
         primitive_ids, the triangle's index in its mesh (uint32; INVALID_ID for a miss), primitive_uvs, primitive_normals."""
-        hits = self.tracer.nearest(_rays(rays), fields=("t_hit", "geometry_ids", "primitive_ids", "primitive_uvs",
+        hits = self.tracer.nearest(_vectors("rays", rays, 6), fields=("t_hit", "geometry_ids", "primitive_ids", "primitive_uvs",
                                                         "primitive_normals"), threads=nthreads or self._nthreads)
         return self._numbered(hits)
 
     def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf, nthreads: int = 0) -> Any:
         """Whether each ray (..., 6) hits anything at tnear < t < tfar."""
         import numpy as np
-        rays = _rays(rays)
+        rays = _vectors("rays", rays, 6)
         segments = np.empty(rays.shape[:-1] + (8,), rays.dtype)
         segments[..., :3], segments[..., 3], segments[..., 4:7], segments[..., 7] = rays[..., :3], tnear, rays[..., 3:], tfar
         return self.tracer.occluded(segments, threads=nthreads or self._nthreads)
 
     def count_intersections(self, rays: Any, nthreads: int = 0) -> Any:
         """How many hits each ray (..., 6) has, all of them. A closed mesh is crossed as often inwards as outwards."""
-        return self.tracer.count_hits(_rays(rays), threads=nthreads or self._nthreads)
+        return self.tracer.count_hits(_vectors("rays", rays, 6), threads=nthreads or self._nthreads)
 
     def list_intersections(self, rays: Any, nthreads: int = 0) -> Dict[str, Any]:
         """All hits of all rays (..., 6), one after the other: t_hit, geometry_ids, primitive_ids, primitive_uvs, and
         ray_ids, the ray of each; those of ray i are from ray_splits[i] to below ray_splits[i + 1]. Both are int64, for more
         hits than Open3D's uint32 can number."""
         import numpy as np
-        flat = _rays(rays).reshape(-1, 6)
+        flat = _vectors("rays", rays, 6).reshape(-1, 6)
         threads = nthreads or self._nthreads
         counts = self.tracer.count_hits(flat, threads=threads)
         lists = hit_lists(self.tracer, flat, counts, ("t_hit", "geometry_ids", "primitive_ids", "primitive_uvs"), threads)
@@ -93,7 +93,7 @@ class RaycastingScene:
         """The closest point of the meshes to each point (..., 3): points, geometry_ids, primitive_ids, primitive_uvs,
         primitive_normals."""
         import numpy as np
-        found = self.tracer.closest(_points(query_points), threads=nthreads or self._nthreads, fields=(
+        found = self.tracer.closest(_vectors("query_points", query_points, 3), threads=nthreads or self._nthreads, fields=(
             "points", "geometry_ids", "primitive_ids", "primitive_uvs", "primitive_normals"))
         return {**self._numbered(found), "points": found["points"].astype(np.float32)}
 
@@ -120,7 +120,7 @@ class RaycastingScene:
         arrays, array = _arrays.recognize("query_points", points, None)
         if array.shape[-1:] == (3,) and arrays.gpu(array, "query_points") in self.tracer._gpus:
             return array
-        return _points(points)
+        return _vectors("query_points", points, 3)
 
     def _numbered(self, hits: Dict[str, Any]) -> Dict[str, Any]:
         """With primitives numbered in their meshes, and the misses' numbers Open3D's."""
@@ -198,14 +198,6 @@ def _device(device: Any) -> Any:
     """Open3D's devices are "CPU:0" and "CUDA:0"."""
     name = str(device)
     return "cpu" if name == "CPU:0" else name.lower() if name.startswith("CUDA:") else device
-
-
-def _rays(rays: Any) -> Any:
-    return _vectors("rays", rays, 6)
-
-
-def _points(points: Any) -> Any:
-    return _vectors("query_points", points, 3)
 
 
 def _vectors(name: str, numbers: Any, length: int) -> Any:

@@ -2,6 +2,7 @@
 
 import operator
 import os
+import pathlib
 import shutil
 import subprocess
 import warnings
@@ -10,8 +11,7 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _arrays, _mesh_objects
 from ._grid import Grid
-from ._library import (Error, Path, Progress, Status, Written, call, choice, folders_of_tools, library, memory_file,
-                       path_bytes, told)
+from ._library import (Error, Path, Progress, Status, Written, call, choice, library, memory_file, told)
 from ._records import (EVERY_WORLD, KINDS, STORES, FaultsRecord, GeometryRecord, MeshCheckRecord, MeshRecord,
                        PlacementRecord, PrimitiveRecord, QuadricsRecord, SceneDescriptionRecord, sized)
 
@@ -227,6 +227,7 @@ class Scene(Written):
 
     Raises masu.Error; TypeError and ValueError for arrays of other types, shapes and contents."""
 
+    _name = "scene"
     _placements = 0  # how many there are
 
     def __init__(self, vertices: Any = None, faces: Any = None, color: Color = None, *,
@@ -258,18 +259,12 @@ class Scene(Written):
                 raise ValueError("origin: 3 numbers are needed, not {}".format(len(origin)))
             geometry.origin = (c_double * 3)(*(float(part) for part in origin))
         try:
-            self._own("scene", library.masu_scene_create, (byref(geometry),), library.masu_scene_free, geometry)
+            self._own(library.masu_scene_create, byref(geometry), options=geometry)
         except Error:
             for (vertices, faces), place in zip(kept, places):
                 if faces is not None:
                     _check_indices(place, faces, len(vertices))
             raise
-
-    @classmethod
-    def _read(cls, path: Path) -> "Scene":
-        scene = cls.__new__(cls)
-        scene._own("scene", library.masu_scene_read, (path_bytes(path),), library.masu_scene_free)
-        return scene
 
     def describe(self) -> Description:
         """Counts, bounds and sizes."""
@@ -349,10 +344,10 @@ def load(path: Path, *, smooth: bool = False, store: str = "auto") -> Scene:
 
 
 def _tool(name: str, path: Path) -> str:
-    for folder in folders_of_tools():
-        if os.access(folder / name, os.X_OK):
-            return str(folder / name)
-    found = shutil.which(name)
+    # Beside the module, of the same prefix or build as the library, and where the system looks.
+    module, installed = (pathlib.Path(file).resolve().parent for file in (__file__, library._name))
+    places = [module / "bin", installed.parent / "bin", installed.parent.parent / "bin", os.environ.get("PATH", os.defpath)]
+    found = shutil.which(name, path=os.pathsep.join(map(str, places)))
     if found is None:
         raise Error(Status.INPUT, "{}: isn't a scene file, and there is no {} to convert it: install it".format(
             os.fsdecode(path), name))

@@ -5,7 +5,7 @@ from typing import Any, Iterator, Optional, Tuple
 
 import torch
 
-from ._streams import handle_of
+from ._arrays import handle_of
 
 
 def adopted(array: Any, stream: Any) -> "torch.Tensor":
@@ -46,10 +46,6 @@ def packed_int32(array: "torch.Tensor", name: str) -> "torch.Tensor":
     if array.is_floating_point() or array.is_complex() or array.is_quantized:
         raise TypeError("{}: whole numbers are needed, not {}".format(name, array.dtype))
     return array.detach().to(torch.int32).contiguous()
-
-
-def is_float64(array: "torch.Tensor") -> bool:
-    return bool(array.dtype == torch.float64)
 
 
 def pointer(array: "torch.Tensor") -> int:

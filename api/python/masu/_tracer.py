@@ -86,7 +86,7 @@ def rays_from(points: Any, direction: Iterable[float] = (1, 0, 0), stream: Any =
     arrays, points = _arrays.recognize("points", points, stream)
     with arrays.queue(points, stream):
         points = arrays.packed(points, "points")
-        rays = arrays.empty(tuple(points.shape[:-1]) + (6,), "float64" if arrays.is_float64(points) else "float32", points)
+        rays = arrays.empty(tuple(points.shape[:-1]) + (6,), "float64" if _arrays.is_float64(points) else "float32", points)
         rays[..., :3] = points
         for axis, component in enumerate(direction):
             rays[..., 3 + axis] = component
@@ -144,6 +144,7 @@ class Tracer(Resource):
     files: of a scene that was pickled, update() takes vertices as of one from a file. A tracer that was moved is a
     TypeError."""
 
+    _name = "tracer"
     scene: Scene
     number: int  # by which operators of PyTorch know it: drawn, so that it is nobody else's in another process
 
@@ -160,8 +161,7 @@ class Tracer(Resource):
         options = sized(TracerOptionsRecord(gpus=(c_int * len(self._gpus))(*self._gpus), gpu_count=len(self._gpus),
                                             brute_force=int(brute_force), quality=choice("quality", quality, QUALITIES)))
         self._is_placed = scene._placements > 0
-        self._own("tracer", library.masu_tracer_create, (scene, grid, byref(options)), library.masu_tracer_free, options,
-                  progress)
+        self._own(library.masu_tracer_create, scene, grid, byref(options), options=options, progress=progress)
         self._is_built = grid is None and not brute_force and not self._is_placed
         if self._is_built and not self._gpus:
             grid = Grid._of(library.masu_tracer_grid, self)
@@ -227,7 +227,7 @@ class Tracer(Resource):
         held = self._opened().held
         with arrays.queue(vertices, stream) as record.stream:
             vertices = arrays.packed(vertices, "vertices")
-            setattr(record, "values64" if arrays.is_float64(vertices) else "values", arrays.pointer(vertices))
+            setattr(record, "values64" if _arrays.is_float64(vertices) else "values", arrays.pointer(vertices))
             call(library.masu_tracer_update, self, byref(record))
         held.is_moved = True
 
@@ -244,7 +244,7 @@ class Tracer(Resource):
         record = sized(TransformsRecord(count=len(transforms), square=int(shape[1] == 4)))
         with arrays.queue(transforms, stream) as record.stream:
             transforms = arrays.packed(transforms, "transforms")
-            setattr(record, "values64" if arrays.is_float64(transforms) else "values", arrays.pointer(transforms))
+            setattr(record, "values64" if _arrays.is_float64(transforms) else "values", arrays.pointer(transforms))
             if indices is not None:
                 others, indices = _arrays.recognize("indices", indices, stream)
                 _arrays.check_shape("indices", indices, tuple(indices.shape) == shape[:1], shape[:1])
@@ -417,7 +417,7 @@ class Tracer(Resource):
                     record.exclude_objects = arrays.pointer(filters["exclude_objects"])
                 setattr(record, each, arrays.pointer(filters[each]))
             record.object_count = sum(objects)
-            record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format
+            record.format = 2 * int(_arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format
             results = {each: arrays.empty(shape[:-1] + field.shape, field.number, rays)
                        for each, field in fields.items()}
             if count and results:

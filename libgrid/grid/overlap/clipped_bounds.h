@@ -64,7 +64,7 @@ struct ClippedCone {
   Boxd base, apex;
   double slack; // more than what the discs' places along an axis are rounded by
 
-  MASU_HD explicit ClippedCone(const Cone<double>& cone)
+  MASU_HD ClippedCone(const Cone<double>& cone)
       : middle(cone.base), along(cone.apex - cone.base), reach(disc_reach(along)),
         base_radius(std::abs(cone.base_radius)), apex_radius(std::abs(cone.apex_radius)),
         base(disc_bounds(cone.base, base_radius, reach)), apex(disc_bounds(cone.apex, apex_radius, reach)),
@@ -88,9 +88,6 @@ MASU_HD inline ClippedBounds sides_of(const ClippedCone& cone, int axis, double 
   sides.below.max.set(axis, std::min(sides.below.max[axis], low));
   sides.above.min.set(axis, std::max(sides.above.min[axis], high));
   return sides;
-}
-MASU_HD inline ClippedBounds sides_of(const Cone<double>& cone, int axis, double low, double high) {
-  return sides_of(ClippedCone(cone), axis, low, high);
 }
 
 // The side of a square as large as what is seen of the primitive from where it is seen best.

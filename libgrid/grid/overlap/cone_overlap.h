@@ -133,8 +133,7 @@ MASU_HD inline bool meets(const Cone<double>& cone, const Boxd& voxel, double ma
     for (unsigned side = 0; side <= bit; side += bit) {
       const Vec3d face[] = {corner(voxel, side), corner(voxel, side | u), corner(voxel, side | u | v),
                             corner(voxel, side | v)};
-      for (const bool lower : {true, false}) {
-        const double end = lower ? -solid.z_margin : 1 + solid.z_margin;
+      for (const double end : {-solid.z_margin, 1 + solid.z_margin}) {
         Segment chord{};
         if (cut_face(solid, end, face, chord)) look_at(chord);
       }

@@ -1,13 +1,13 @@
 #include "libgrid/hierarchy/binary/binary_hierarchy.h"
 
 #include "libgrid/hierarchy/binary/binned_fragments.h"
-#include "libgrid/hierarchy/binary/node_numbers.h"
 #include "libgrid/hierarchy/binary/parallel_partition.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 #include "libscene/base/parallel.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <utility>
 
@@ -15,10 +15,46 @@ namespace masu {
 
 namespace {
 
+// Numbers of binary nodes, pair by pair, for threads that split at the same time. From 1 on: 0 is the root's.
+// Threads take blocks of them: were each pair taken from one counter, threads would wait for it, and for what
+// others write side by side.
+class NodeNumbers {
+public:
+  // For so many nodes.
+  explicit NodeNumbers(std::size_t nodes) : nodes_(nodes), block_(nodes > (1 << 16) ? 256 : 2) {}
+
+  // No number is as large, whatever threads leave of their blocks.
+  std::size_t end() const { return nodes_ + (block_ > 2 ? most_with_blocks * block_ : 0); }
+
+  // A thread's own.
+  struct OfThread {
+    std::uint32_t block, next = 0, end = 0;
+  };
+  OfThread& of_thread() { return of_threads_.local(); }
+
+  // The left one's, which the right one's follows.
+  std::uint32_t pair(OfThread& own) {
+    if (own.next == own.end) {
+      own.next = used_.fetch_add(own.block);
+      own.end = own.next + own.block;
+    }
+    return std::exchange(own.next, own.next + 2);
+  }
+
+private:
+  static constexpr std::uint32_t most_with_blocks = 256; // threads; others take pairs
+
+  std::size_t nodes_;
+  std::uint32_t block_;
+  std::atomic<std::uint32_t> used_ = 1, threads_ = 0;
+  tbb::enumerable_thread_specific<OfThread> of_threads_{
+      [this] { return OfThread{threads_++ < most_with_blocks ? block_ : 2}; }};
+};
+
 template <class Scene>
 class BinaryBuilder {
 public:
-  BinaryBuilder(const Scene& scene, double margin, HostArray<BinaryNode> leaves, ProgressMonitor* progress)
+  BinaryBuilder(const Scene& scene, double margin, Leaves leaves, ProgressMonitor* progress)
       : scene_(scene), margin_(margin), progress_(progress),
         count_(static_cast<std::uint32_t>(leaves.size())), fragments_(std::move(leaves)),
         room_(static_cast<std::uint32_t>(spare_fragments * static_cast<double>(count_))),
@@ -26,20 +62,22 @@ public:
     parallel_ranges(count_, 4096, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i != end; ++i) {
         BinaryNode& fragment = fragments_[i];
-        fragment.count = 0;
+        fragment.count = 0; // 1 of a whole triangle
         with_primitive(scene_, fragment.index, [&]<class Primitive>(const Primitive& primitive) {
-          if constexpr (std::is_same_v<Primitive, Triangle<double>>)
-            fragment.count = same(box_of(fragment), lanes_around(bounds(primitive), margin_));
+          if constexpr (std::is_same_v<Primitive, Triangle<double>>) {
+            const LaneBox own = box_of(fragment), whole = lanes_around(bounds(primitive), margin_);
+            fragment.count = all_axes((own.low == whole.low) & (own.high == whole.high));
+          }
         });
       }
     });
   }
 
-  BinaryHierarchy<TbbExecutor> build() {
+  HostHierarchy build() {
     if (count_ == 0) return {};
     const FragmentRange all{fragments_.data(), count_, 0, room_};
     const LaneBox root = extent_of(all).box;
-    root_area_ = root.area();
+    root_area_ = half_area(boxf(root));
     const Lanes4 reach = larger(-root.low, root.high);
     slack_ = static_cast<float>(4 * margin_) + 0x1p-20F * std::max({reach[0], reach[1], reach[2]});
     split(0, all, 0, numbers_.of_thread());
@@ -50,9 +88,6 @@ private:
   static constexpr std::uint32_t fragments_per_task = 1 << 14, fragments_per_check = 1 << 12,
                                  few_in_turns = 128;
   static constexpr WholeLanes4 one = {1, 1, 1, 1};
-
-  // With some for fragments that are added: a range that needs more moves elsewhere.
-  static std::size_t places_for(std::uint32_t count) { return std::size_t{count} + count / 4; }
 
   // Of Sum(of …), to which add(sum, fragment) adds each; in parallel for many. It is made in its place: sums
   // are large for small ranges. Two take turns where fragments are not few: those in a row are often in one
@@ -96,24 +131,13 @@ private:
   }
 
   // The cheapest split by centres.
-  ObjectSplit object_split(const FragmentRange& range, const Binning& binning) const {
-    return range.count <= few_leaves ? object_split_of_few(range, binning)
-                                     : object_split_of_many(range, binning);
-  }
   ObjectSplit object_split_of_few(const FragmentRange& range, const Binning& binning) const {
-    CountedBox boxes[few_leaves];
-    WholeLanes4 bins[few_leaves];
-    for (std::uint32_t i = 0; i < range.count; ++i) {
-      const LaneBox box = box_of(range.first[i]);
-      boxes[i] = CountedBox(box);
-      bins[i] = binning.bins_of(box.twice_the_centre());
-    }
-    const SortedFew sorted(boxes, bins, range.count);
+    const SortedFew<WholeLanes4> sorted(range.first, range.count, binning.bins_of);
     const AxisSplit cheapest = sorted.cheapest_split();
     if (cheapest.axis < 0) return {};
     ObjectSplit split{{cheapest.cost, cheapest.axis, sorted.key(cheapest)}, {}, {}};
     for (std::uint32_t i = 0; i < range.count; ++i)
-      (bins[i][split.at.axis] <= split.at.number ? split.left : split.right).join(boxes[i]);
+      (sorted.keys[i][split.at.axis] <= split.at.number ? split.left : split.right).join(sorted.boxes[i]);
     return split;
   }
   ObjectSplit object_split_of_many(const FragmentRange& range, const Binning& binning) const {
@@ -156,7 +180,7 @@ private:
       // Whether it certainly has something on either side of each plane.
       const WholeLanes4 crosses =
           (box.low + slack_ < binning.planes(first)) & (binning.planes(last - 1) < box.high - slack_);
-      const bool is_whole = is_whole_triangle(fragment);
+      const bool is_whole = fragment.count != 0;
       for (int axis = 0; axis < 3; ++axis) {
         const bool counts = is_whole || first[axis] == last[axis];
         const CountedBox counted(counts ? box : LaneBox(), one,
@@ -231,7 +255,8 @@ private:
   RangeSplit split_of(const FragmentRange& range, const Extent& extent, int depth) const {
     if (range.count >= fewest_halved(depth)) return {};
     const Binning by_centre(extent.centres, bins_by_centre(range.count));
-    const ObjectSplit objects = object_split(range, by_centre);
+    const ObjectSplit objects = range.count <= few_leaves ? object_split_of_few(range, by_centre)
+                                                          : object_split_of_many(range, by_centre);
     const AxisSplit& at = objects.at;
     if (at.axis < 0) return {};
     if (range.room > 0 &&
@@ -258,14 +283,15 @@ private:
   }
 
   // Divides what crosses the plane, as long as there is room. `moved`: memory for a range that has no more
-  // places.
+  // places, with some for fragments that are added below.
   void divide(FragmentRange& range, const RangeSplit& split, HostArray<BinaryNode>& moved) {
     const auto divided = divided_by(range.count, progress_, [&](std::uint32_t fragment, Sides& parts) {
       return split.divides(scene_, margin_, range.first[fragment], parts);
     });
     const auto added = static_cast<std::uint32_t>(std::min<std::size_t>(divided.size(), range.room));
     if (added > range.places) {
-      moved.resize(places_for(range.count + std::max(added, 16U)));
+      const std::uint32_t count = range.count + std::max(added, 16U);
+      moved.resize(std::size_t{count} + count / 4);
       std::copy(range.begin(), range.end(), moved.begin());
       range.first = moved.data();
       range.places = static_cast<std::uint32_t>(moved.size()) - range.count;
@@ -278,7 +304,7 @@ private:
     range.room -= added;
   }
 
-  // In the order that Partition (spatial_split_passes.h) has, too.
+  // In the order of partitioned_place() (spatial_split_passes.h), too.
   Halves halves_of(FragmentRange range, const RangeSplit& split, HostArray<BinaryNode>& moved) {
     if (split.kind == SplitKind::by_space && range.room > 0) divide(range, split, moved);
     std::uint32_t left = 0;
@@ -300,7 +326,7 @@ private:
     if (range.count == 1) {
       node = *range.first;
       node.count = 1;
-      return with_choice(number, collapse_costs_of_leaf(node));
+      return with_choice(choices_, number, collapse_costs_of_leaf(node));
     }
     const Extent extent = extent_of(range);
     const Boxf box = boxf(extent.box);
@@ -325,12 +351,7 @@ private:
             std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
     }
     node = node_of(box, left, nodes_[left], nodes_[left + 1]);
-    return with_choice(number, collapse_costs(node, left_costs, right_costs));
-  }
-
-  CollapseCosts with_choice(std::uint32_t number, const CollapseCosts& costs) {
-    choices_[number] = costs.choice;
-    return costs;
+    return with_choice(choices_, number, collapse_costs(node, left_costs, right_costs));
   }
 
   const Scene& scene_;
@@ -351,23 +372,15 @@ private:
 } // namespace
 
 template <class Scene>
-BinaryHierarchy<TbbExecutor> binary_hierarchy(const Scene& scene, double margin, HostArray<BinaryNode> leaves,
-                                              ProgressMonitor* progress) {
-  BinaryBuilder<Scene> builder(scene, margin, std::move(leaves),
-                               progress); // at the end of which they are gone
-  return builder.build();
+HostHierarchy binary_hierarchy(const Scene& scene, double margin, Leaves leaves, ProgressMonitor* progress) {
+  // At the end of which the leaves are gone.
+  return BinaryBuilder<Scene>(scene, margin, std::move(leaves), progress).build();
 }
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, double, HostArray<BinaryNode>,
-                                                       ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<double>&, double,
-                                                       HostArray<BinaryNode>, ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshesView<float, float>&, double,
-                                                       HostArray<BinaryNode>, ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshesView<float, double>&, double,
-                                                       HostArray<BinaryNode>, ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshesView<double, float>&, double,
-                                                       HostArray<BinaryNode>, ProgressMonitor*);
-template BinaryHierarchy<TbbExecutor> binary_hierarchy(const MeshesView<double, double>&, double,
-                                                       HostArray<BinaryNode>, ProgressMonitor*);
+template HostHierarchy binary_hierarchy(const SceneView<float>&, double, Leaves, ProgressMonitor*);
+template HostHierarchy binary_hierarchy(const SceneView<double>&, double, Leaves, ProgressMonitor*);
+template HostHierarchy binary_hierarchy(const MeshesView<float, float>&, double, Leaves, ProgressMonitor*);
+template HostHierarchy binary_hierarchy(const MeshesView<float, double>&, double, Leaves, ProgressMonitor*);
+template HostHierarchy binary_hierarchy(const MeshesView<double, float>&, double, Leaves, ProgressMonitor*);
+template HostHierarchy binary_hierarchy(const MeshesView<double, double>&, double, Leaves, ProgressMonitor*);
 
 } // namespace masu

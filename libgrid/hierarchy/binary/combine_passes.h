@@ -10,53 +10,49 @@
 
 namespace masu {
 
+// What is made of a level's nodes: at their numbers in the hierarchy, and what they cost.
+struct CombinedNodes {
+  BinaryNode* nodes;
+  CollapseChoice* choices;
+  CollapseCosts* costs;             // of the level's nodes
+  const CollapseCosts* below;       // of the next one's
+  std::uint64_t first, first_below; // the numbers of both levels' first, where levels follow each other
+
+  MASU_HD void put(std::uint64_t i, std::uint64_t number, const BinaryNode& node,
+                   const CollapseCosts& its_costs) const {
+    nodes[number] = node;
+    choices[number] = its_costs.choice;
+    costs[i] = its_costs;
+  }
+  // `child`: its left one's place in the next level, `pair`: its number; the right one's follow.
+  MASU_HD void put_parent(std::uint64_t i, std::uint64_t number, const Boxf& box, std::uint32_t child,
+                          std::uint32_t pair) const {
+    const BinaryNode node = node_of(box, pair, nodes[pair], nodes[pair + 1]);
+    put(i, number, node, collapse_costs(node, below[child], below[child + 1]));
+  }
+};
+
 // Nodes and choices of `hierarchy`, which has room for them. `levels`: of as many `ranges` as there are nodes
 // of a depth; the children of the first of them that has some are the first two of the next level, and so on.
-// They are given up, the lowest first. split_nodes() say of node i whether it is_there(i) at all; whether it
-// is_made(i), with all that is below it, then its costs(i); or is_leaf(i), then its leaf(i); else its
-// first_child(i) in the next level, and its box(i, left child, right child). number(i, first) and pair(i,
-// first) are its own number in the hierarchy and that of its left child, which the right one's follows, where
-// levels follow each other there and this or the next one begins with `first`.
+// They are given up, the lowest first. split_nodes().combine(i, combined nodes) puts node i there.
 template <class Executor, class Level>
 void combine(Executor& executor, std::vector<Level> levels, BinaryHierarchy<Executor>& hierarchy) {
   std::uint64_t end = hierarchy.nodes.size();
-  BinaryNode* const nodes = hierarchy.nodes.data();
-  CollapseChoice* const choices = hierarchy.choices.data();
   auto costs_below = executor.template array<CollapseCosts>(0);
   for (; !levels.empty(); levels.pop_back()) {
     const std::uint64_t count = levels.back().ranges.size(), first_below = end;
     end = levels.size() > 1 ? end - count : 0;
     auto level_costs = executor.template array<CollapseCosts>(count);
-    CollapseCosts* const costs = level_costs.data();
-    const CollapseCosts* const below = costs_below.data();
-    executor.for_each(count, [=, own = levels.back().split_nodes()] MASU_PASS(std::uint64_t i) {
-      if (!own.is_there(i)) return;
-      if (own.is_made(i)) {
-        costs[i] = own.costs(i);
-        return;
-      }
-      const std::uint64_t number = own.number(i, end);
-      BinaryNode& node = nodes[number];
-      if (own.is_leaf(i)) {
-        node = own.leaf(i);
-        costs[i] = collapse_costs_of_leaf(node);
-      } else {
-        const std::uint32_t child = own.first_child(i),
-                            pair = static_cast<std::uint32_t>(own.pair(i, first_below));
-        const BinaryNode &left = nodes[pair], &right = nodes[pair + 1];
-        node = node_of(own.box(i, left, right), pair, left, right);
-        costs[i] = collapse_costs(node, below[child], below[child + 1]);
-      }
-      choices[number] = costs[i].choice;
-    });
+    const CombinedNodes to{hierarchy.nodes.data(),
+                           hierarchy.choices.data(),
+                           level_costs.data(),
+                           costs_below.data(),
+                           end,
+                           first_below};
+    executor.for_each(
+        count, [=, own = levels.back().split_nodes()] MASU_PASS(std::uint64_t i) { own.combine(i, to); });
     costs_below = std::move(level_costs);
   }
-}
-
-// Room for so many nodes.
-template <class Executor>
-BinaryHierarchy<Executor> room_for_nodes(const Executor& executor, std::uint64_t count) {
-  return {executor.template array<BinaryNode>(count), executor.template array<CollapseChoice>(count)};
 }
 
 } // namespace masu

@@ -2,7 +2,7 @@
 // passes go over their fragments.
 #pragma once
 
-#include "libgrid/hierarchy/collapse_passes.h"
+#include "libgrid/hierarchy/binary/combine_passes.h"
 #include "libscene/passes/executor.h"
 
 #include <algorithm>
@@ -45,16 +45,12 @@ struct DividedNodes {
   const BinaryNode* nodes;
   const RangeSums* before;
 
-  MASU_HD static bool is_there(std::uint64_t) { return true; }
-  MASU_HD static bool is_made(std::uint64_t) { return false; }
-  MASU_HD static CollapseCosts costs(std::uint64_t) { return {}; }
-  MASU_HD static std::uint64_t number(std::uint64_t i, std::uint64_t first) { return first + i; }
-  MASU_HD bool is_leaf(std::uint64_t i) const { return ranges[i].count == 1; }
-  MASU_HD const BinaryNode& leaf(std::uint64_t i) const { return nodes[i]; }
-  MASU_HD std::uint32_t first_child(std::uint64_t i) const { return before[i].children; }
-  MASU_HD std::uint64_t pair(std::uint64_t i, std::uint64_t first) const { return first + first_child(i); }
-  // Around fragments before they were divided.
-  MASU_HD Boxf box(std::uint64_t i, const BinaryNode&, const BinaryNode&) const { return nodes[i].box(); }
+  MASU_HD void combine(std::uint64_t i, const CombinedNodes& to) const {
+    if (ranges[i].count == 1) return to.put(i, to.first + i, nodes[i], collapse_costs_of_leaf(nodes[i]));
+    const Boxf box = nodes[i].box(); // around fragments before they were divided
+    const std::uint32_t child = before[i].children;
+    to.put_parent(i, to.first + i, box, child, static_cast<std::uint32_t>(to.first_below + child));
+  }
 };
 
 // Nodes of one depth. The children of the first are the first two of the next level, and so on.
@@ -73,10 +69,6 @@ template <class Executor>
 struct FragmentOrder {
   ArrayOf<Executor, BinaryNode> fragments{};
   ArrayOf<Executor, std::uint32_t> ranges{};
-
-  FragmentOrder(const Executor& executor, std::uint64_t count)
-      : fragments(executor.template array<BinaryNode>(count)),
-        ranges(executor.template array<std::uint32_t>(count)) {}
 };
 
 // The range that a chunk is of.
@@ -168,13 +160,10 @@ void over_ranges(Executor& executor, const FragmentLevel<Executor>& level, std::
 template <class Executor>
 RangeSums sum_ranges(Executor& executor, FragmentLevel<Executor>& level) {
   const std::uint64_t count = level.ranges.size();
-  level.before = executor.template array<RangeSums>(count + 1);
-  RangeSums* const sum = level.before.data();
-  const FragmentRange* const range = level.ranges.data();
-  executor.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
-    sum[i] = i != count ? RangeSums(range[i].count) : RangeSums();
-  });
-  executor.scan(level.before);
+  level.before = executor.template sums<RangeSums>(
+      count + 1, [=, range = level.ranges.data()] MASU_PASS(std::uint64_t i) {
+        return i != count ? RangeSums(range[i].count) : RangeSums();
+      });
   return executor.value(level.before, count);
 }
 

@@ -46,6 +46,8 @@ struct FragmentBins {
     const float scale = static_cast<float>(count) * 0.99999F / (high - low);
     per_unit = high > low && scale < INFINITY ? scale : 0;
   }
+  MASU_HD FragmentBins(const Boxf& box, int axis, std::int32_t count_)
+      : FragmentBins(box.min[axis], box.max[axis], count_) {}
   MASU_HD std::int32_t operator()(float place) const {
     return std::clamp(static_cast<std::int32_t>((place - low) * per_unit), 0, count - 1);
   }

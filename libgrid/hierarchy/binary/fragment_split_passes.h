@@ -3,10 +3,8 @@
 
 #include "libgrid/hierarchy/binary/fragment_levels.h"
 #include "libgrid/hierarchy/binary/fragment_split.h"
+#include "libgrid/hierarchy/binary/split_ranges.h"
 #include "libscene/base/atomic.h"
-#include "libscene/passes/thread_group.h"
-
-#include <algorithm>
 
 namespace masu {
 
@@ -62,46 +60,6 @@ struct FindExtents {
     centres[range] = sum.centres;
   }
 };
-
-MASU_HD inline bool comes_before(const AxisSplit& a, const AxisSplit& b) {
-  if (a.cost != b.cost) return a.cost < b.cost;
-  return a.axis != b.axis ? a.axis < b.axis : a.number < b.number;
-}
-
-// Fragments on one side of a split.
-struct SplitSide {
-  Boxf box = empty_box<float>();
-  std::uint32_t count = 0;
-
-  MASU_HD void add(const Boxf& other, std::uint32_t by) {
-    box = join(box, other);
-    count += by;
-  }
-};
-MASU_HD inline void add_candidate(const AxisSplit& candidate, const SplitSide& left, const SplitSide& right,
-                                  AxisSplit& best) {
-  if (left.count == 0 || right.count == 0) return;
-  AxisSplit split = candidate;
-  split.cost = split_cost(half_area(left.box), static_cast<float>(left.count), half_area(right.box),
-                          static_cast<float>(right.count));
-  if (comes_before(split, best)) best = split;
-}
-
-// The cheapest split after one of so many bins along an axis, for the first thread. sides(candidate, left,
-// right) adds what is on either side of it.
-template <class ThreadGroup, class Act>
-MASU_HD AxisSplit cheapest_after_bin(const ThreadGroup& group, std::int32_t bins, const Act& sides) {
-  AxisSplit best;
-  const auto own = static_cast<std::int32_t>(group.thread_rank()), // candidates are the first warp's
-      threads = min(static_cast<std::int32_t>(group.size()), lanes_per_warp);
-  for (std::int32_t i = own; own < threads && i < 3 * (bins - 1); i += threads) {
-    const AxisSplit candidate{INFINITY, i / (bins - 1), i % (bins - 1)};
-    SplitSide left, right;
-    sides(candidate, left, right);
-    add_candidate(candidate, left, right, best);
-  }
-  return group.first_of_all(best);
-}
 
 // What the bins along each axis hold: the join of boxes, and how many fragments begin and end there.
 template <std::int32_t most>
@@ -213,7 +171,7 @@ struct SplitObjects {
 
 private:
   MASU_HD FragmentBins bins_along(std::uint64_t range, int axis) const {
-    return {centres[range].min[axis], centres[range].max[axis], bins_by_centre(ranges[range].count)};
+    return {centres[range], axis, bins_by_centre(ranges[range].count)};
   }
   // After any of the bins that their centres are in.
   template <class ThreadGroup>
@@ -283,7 +241,7 @@ struct SplitSpace {
 
 private:
   MASU_HD FragmentBins bins_along(std::uint64_t range, int axis) const {
-    return {nodes[range].min[axis], nodes[range].max[axis], bins_in_space};
+    return {nodes[range].box(), axis, bins_in_space};
   }
   // Adds to each bin what lies in it.
   template <class ThreadGroup, class Primitive>

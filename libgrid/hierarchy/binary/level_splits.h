@@ -117,8 +117,8 @@ struct SplitAtPlanes {
     for_each_leaf([&](const BinaryNode& leaf, std::uint32_t) { box = join(box, leaf.box()); });
     group.join(scratch.box, box);
     group.sync();
-    const FragmentBins along[] = {bins_along(scratch.box, 0), bins_along(scratch.box, 1),
-                                  bins_along(scratch.box, 2)};
+    const FragmentBins along[] = {
+        {scratch.box, 0, bins_in_space}, {scratch.box, 1, bins_in_space}, {scratch.box, 2, bins_in_space}};
     for_each_leaf([&](const BinaryNode& leaf, std::uint32_t stands_for) {
       const bool is_large = large.has(leaf);
       for (int axis = 0; axis < 3; ++axis) {
@@ -142,11 +142,6 @@ struct SplitAtPlanes {
   MASU_HD bool divides(std::uint64_t place, std::uint32_t range, Sides& parts) const {
     return range != no_range && at_plane[range] != 0 &&
            large.divides(ranges.splits[range], ranges.leaves[ranges.order[place]], triangle, parts);
-  }
-
-private:
-  MASU_HD static FragmentBins bins_along(const Boxf& box, int axis) {
-    return {box.min[axis], box.max[axis], bins_in_space};
   }
 };
 

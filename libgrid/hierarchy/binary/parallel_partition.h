@@ -6,6 +6,7 @@
 #include "libscene/base/progress_monitor.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -64,9 +65,7 @@ std::uint32_t partitioned_by_all_cores(BinaryNode* fragments, std::uint32_t coun
   for_each_chunk(count, progress, [&](std::uint32_t chunk, std::uint32_t begin, std::uint32_t end) {
     lefts[chunk] = static_cast<std::uint32_t>(std::count_if(fragments + begin, fragments + end, is_left));
   });
-  std::uint32_t left = 0;
-  for (const std::uint32_t of_chunk : lefts)
-    left += of_chunk;
+  const std::uint32_t left = std::accumulate(lefts.begin(), lefts.end(), 0U);
   std::vector<std::vector<std::uint32_t>> rights_of(lefts.size()),
       lefts_of(lefts.size()); // in the wrong places
   for_each_chunk(count, progress, [&](std::uint32_t chunk, std::uint32_t begin, std::uint32_t end) {

@@ -6,8 +6,6 @@
 #include "libgrid/hierarchy/binary/split_ranges.h"
 #include "libscene/base/atomic.h"
 
-#include <algorithm>
-
 namespace masu {
 
 inline constexpr std::uint32_t most_in_small = 256;
@@ -102,7 +100,7 @@ private:
                                   std::uint32_t end, std::uint32_t most) {
     constexpr bool are_few = width == threads_for_few;
     const auto tile = group.template tile<width>();
-    const std::uint32_t rank = group.template tile_rank<width>(), tiles = group.template tile_count<width>();
+    const std::uint32_t rank = group.thread_rank() / tile.size(), tiles = group.size() / tile.size();
     for (std::uint32_t own = begin + rank; own < end; own += tiles) {
       Node& node = scratch.nodes[own];
       const std::uint32_t first = node.first, count = node.count;

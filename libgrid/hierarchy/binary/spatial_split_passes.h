@@ -13,7 +13,6 @@
 // counted, which comes to the same in any order.
 #pragma once
 
-#include "libgrid/hierarchy/binary/combine_passes.h"
 #include "libgrid/hierarchy/binary/fragment_split_passes.h"
 #include "libgrid/hierarchy/hierarchy_builder.h"
 
@@ -47,25 +46,25 @@ void divide(Executor& executor, const SceneView<Stored>& scene, double margin,
   const std::uint32_t all_added = executor.value(added, range_count);
   if (all_added == 0) return;
   const std::uint32_t* const added_before = added.data();
-  FragmentOrder<Executor> divided(executor, count + all_added);
-  BinaryNode* const to = divided.fragments.data();
-  std::uint32_t* const to_range = divided.ranges.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    const std::uint32_t own = range_of[i];
-    const auto [first, in_range, room] = range[own];
-    const std::uint64_t at = i + added_before[own];
-    const std::uint32_t before = crossing_before[i] - crossing_before[first];
-    BinaryNode whole = fragment[i];
-    to_range[at] = own;
-    Sides parts{};
-    if (crossing_before[i + 1] != crossing_before[i] && before < room &&
-        split[own].divides(scene, margin, whole, parts)) {
-      const std::uint64_t above = std::uint64_t{first} + added_before[own] + in_range + before;
-      put_parts(parts, 1, whole, to[above]);
-      to_range[above] = own;
-    }
-    to[at] = whole;
-  });
+  FragmentOrder<Executor> divided{executor.template array<BinaryNode>(count + all_added),
+                                  executor.template array<std::uint32_t>(count + all_added)};
+  executor.for_each(
+      count, [=, to = divided.fragments.data(), to_range = divided.ranges.data()] MASU_PASS(std::uint64_t i) {
+        const std::uint32_t own = range_of[i];
+        const auto [first, in_range, room] = range[own];
+        const std::uint64_t at = i + added_before[own];
+        const std::uint32_t before = crossing_before[i] - crossing_before[first];
+        BinaryNode whole = fragment[i];
+        to_range[at] = own;
+        Sides parts{};
+        if (crossing_before[i + 1] != crossing_before[i] && before < room &&
+            split[own].divides(scene, margin, whole, parts)) {
+          const std::uint64_t above = std::uint64_t{first} + added_before[own] + in_range + before;
+          put_parts(parts, 1, whole, to[above]);
+          to_range[above] = own;
+        }
+        to[at] = whole;
+      });
   executor.for_each(range_count, [=] MASU_PASS(std::uint64_t i) {
     const std::uint32_t more = added_before[i + 1] - added_before[i];
     range[i].first += added_before[i];
@@ -77,20 +76,16 @@ void divide(Executor& executor, const SceneView<Stored>& scene, double margin,
 
 // Where a range's fragments come to lie that are partitioned in place, as std::partition() does on the host:
 // the first one that belongs to the right changes places with the last one that belongs to the left, and so
-// on.
-struct Partition {
-  const std::uint32_t* left_before; // each of the range's fragments, and all
-  std::uint32_t count, left;
-
-  MASU_HD std::uint32_t lefts(std::uint64_t i) const { return left_before[i] - left_before[0]; }
-  MASU_HD std::uint32_t place_of(std::uint32_t i) const {
-    const bool is_left = left_before[i + 1] != left_before[i];
-    if (is_left == (i < left)) return i;
-    if (is_left)
-      return last_not_above(left, left - 1 - lefts(i), [this](std::uint32_t k) { return k - lefts(k); });
-    return last_not_above(count, left - 1 - (i - lefts(i)), [this](std::uint32_t k) { return lefts(k); });
-  }
-};
+// on. `left_before`: each of the range's fragments, and all.
+MASU_HD inline std::uint32_t partitioned_place(const std::uint32_t* left_before, std::uint32_t count,
+                                               std::uint32_t left, std::uint32_t i) {
+  const auto lefts = [=](std::uint32_t k) { return left_before[k] - left_before[0]; };
+  const bool is_left = left_before[i + 1] != left_before[i];
+  if (is_left == (i < left)) return i;
+  if (is_left)
+    return last_not_above(left, left - 1 - lefts(i), [=](std::uint32_t k) { return k - lefts(k); });
+  return last_not_above(count, left - 1 - (i - lefts(i)), lefts);
+}
 
 // Sorts fragments by the ranges of the next level, which it returns, and its sums.
 template <class Executor>
@@ -109,7 +104,6 @@ FragmentLevel<Executor> next_level(Executor& executor, ArrayOf<Executor, RangeSp
   FragmentLevel<Executor> below{executor.template array<FragmentRange>(child_count),
                                 executor.template array<BinaryNode>(child_count)};
   FragmentRange* const child = below.ranges.data();
-  BinaryNode* const alone = below.nodes.data();
   executor.for_each(range_count, [=] MASU_PASS(std::uint64_t i) {
     const auto [first, in_range, room] = range[i];
     if (in_range == 1) return;
@@ -124,19 +118,19 @@ FragmentLevel<Executor> next_level(Executor& executor, ArrayOf<Executor, RangeSp
     child[at + 1] = {0, in_range - left, room - left_room};
   });
   all = sum_ranges(executor, below);
-  const RangeSums* const child_before = below.before.data();
-  executor.for_each(child_count,
-                    [=] MASU_PASS(std::uint64_t i) { child[i].first = child_before[i].fragments; });
-  FragmentOrder<Executor> next(executor, all.fragments);
-  BinaryNode* const to = next.fragments.data();
-  std::uint32_t* const to_range = next.ranges.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(child_count, [=, child_before = below.before.data()] MASU_PASS(std::uint64_t i) {
+    child[i].first = child_before[i].fragments;
+  });
+  FragmentOrder<Executor> next{executor.template array<BinaryNode>(all.fragments),
+                               executor.template array<std::uint32_t>(all.fragments)};
+  executor.for_each(count, [=, alone = below.nodes.data(), to = next.fragments.data(),
+                            to_range = next.ranges.data()] MASU_PASS(std::uint64_t i) {
     const std::uint32_t own = range_of[i];
     const auto [first, in_range, room] = range[own];
     std::uint32_t own_child = before[own].children, place = static_cast<std::uint32_t>(i) - first;
     const std::uint32_t left = child[own_child].count;
     if (split[own].kind != SplitKind::halves)
-      place = Partition{left_before + first, in_range, left}.place_of(place);
+      place = partitioned_place(left_before + first, in_range, left, place);
     if (place >= left) {
       ++own_child;
       place -= left;
@@ -159,17 +153,13 @@ BinaryHierarchy<Executor> spatial_split_hierarchy(Executor& executor, const Scen
   if (count == 0) return {};
   FragmentLevel<Executor> next{executor.template array<FragmentRange>(1),
                                executor.template array<BinaryNode>(1)};
-  FragmentRange* const whole = next.ranges.data();
-  BinaryNode* const alone = next.nodes.data();
-  const BinaryNode* const leaf = leaves.data();
-  executor.for_each(1, [=] MASU_PASS(std::uint64_t) {
+  executor.for_each(1, [=, whole = next.ranges.data(), alone = next.nodes.data(),
+                        leaf = leaves.data()] MASU_PASS(std::uint64_t) {
     *whole = {0, count, static_cast<std::uint32_t>(spare_fragments * count)};
     *alone = *leaf;
   });
   RangeSums all = sum_ranges(executor, next);
-  FragmentOrder<Executor> order(executor, 0);
-  order.fragments = std::move(leaves);
-  order.ranges = executor.template zeros<std::uint32_t>(count);
+  FragmentOrder<Executor> order{std::move(leaves), executor.template zeros<std::uint32_t>(count)};
   std::vector<FragmentLevel<Executor>> levels;
   for (int depth = 0; next.ranges.size() > 0; ++depth) {
     levels.push_back(std::move(next));
@@ -188,7 +178,8 @@ BinaryHierarchy<Executor> spatial_split_hierarchy(Executor& executor, const Scen
   std::uint64_t numbers = 1;
   for (const FragmentLevel<Executor>& level : levels)
     numbers += level.ranges.size();
-  BinaryHierarchy<Executor> hierarchy = room_for_nodes(executor, numbers);
+  BinaryHierarchy<Executor> hierarchy{executor.template array<BinaryNode>(numbers),
+                                      executor.template array<CollapseChoice>(numbers)};
   combine(executor, std::move(levels), hierarchy);
   return hierarchy;
 }

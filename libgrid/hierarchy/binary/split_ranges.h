@@ -4,7 +4,7 @@
 #include "libgrid/hierarchy/binary/leaf_split.h"
 #include "libscene/passes/thread_group.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace masu {
 
@@ -59,31 +59,46 @@ MASU_HD LeafSplit cheapest_split_of_few(const ThreadGroup& group, std::uint32_t 
   return group.first_of_all(best);
 }
 
-// Between bins along an axis.
-MASU_HD inline LeafSplit cheapest_along(int axis, const LeafBins& along, const SplitScratch& scratch,
-                                        std::uint32_t count) {
-  const auto& bins = scratch.bins[axis];
-  Boxf right[max_bins + 1]; // of all from a bin on
-  right[along.count] = empty_box<float>();
-  for (int bin = along.count; --bin > 0;)
-    right[bin] = join(right[bin + 1], bins[bin].box);
-  LeafSplit best, split;
-  split.axis = axis;
-  Boxf left = empty_box<float>();
-  std::uint32_t left_count = 0;
-  for (int bin = 0; bin + 1 < along.count; ++bin) {
-    left = join(left, bins[bin].box);
-    left_count += bins[bin].count;
-    if (left_count == 0) continue;
-    if (left_count == count) break;
-    split.cost = cost_of(left, left_count, right[bin + 1], count - left_count);
-    split.place = along.end(bin);
-    if (comes_before(split, best)) best = split;
-  }
-  return best;
+MASU_HD inline bool comes_before(const AxisSplit& a, const AxisSplit& b) {
+  if (a.cost != b.cost) return a.cost < b.cost;
+  return a.axis != b.axis ? a.axis < b.axis : a.number < b.number;
 }
 
-// The same by a warp's threads, a bin each: of each bin all up to it, and all from it on.
+// What is on one side of a split.
+struct SplitSide {
+  Boxf box = empty_box<float>();
+  std::uint32_t count = 0;
+
+  MASU_HD void add(const Boxf& other, std::uint32_t by) {
+    box = join(box, other);
+    count += by;
+  }
+};
+MASU_HD inline void add_candidate(const AxisSplit& candidate, const SplitSide& left, const SplitSide& right,
+                                  AxisSplit& best) {
+  if (left.count == 0 || right.count == 0) return;
+  AxisSplit split = candidate;
+  split.cost = cost_of(left.box, left.count, right.box, right.count);
+  if (comes_before(split, best)) best = split;
+}
+
+// The cheapest split after one of so many bins along an axis, for the first thread. sides(candidate, left,
+// right) adds what is on either side of it.
+template <class ThreadGroup, class Act>
+MASU_HD AxisSplit cheapest_after_bin(const ThreadGroup& group, std::int32_t bins, const Act& sides) {
+  AxisSplit best;
+  const auto own = static_cast<std::int32_t>(group.thread_rank()), // candidates are the first warp's
+      threads = min(static_cast<std::int32_t>(group.size()), lanes_per_warp);
+  for (std::int32_t i = own; own < threads && i < 3 * (bins - 1); i += threads) {
+    const AxisSplit candidate{INFINITY, i / (bins - 1), i % (bins - 1)};
+    SplitSide left, right;
+    sides(candidate, left, right);
+    add_candidate(candidate, left, right, best);
+  }
+  return group.first_of_all(best);
+}
+
+// The cheapest between bins, by a warp's threads, a bin each: of each bin all up to it, and all from it on.
 template <class Tile>
 MASU_HD LeafSplit cheapest_by_lanes(const Tile& tile, const LeafBins (&along)[3], const SplitScratch& scratch,
                                     std::uint32_t count) {
@@ -120,11 +135,8 @@ MASU_HD LeafSplit cheapest_split(const ThreadGroup& group, SplitScratch& scratch
   if (group.thread_rank() == 0) scratch.centres = empty_box<float>();
   const std::int32_t bins = bin_count(count);
   for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bins;
-       i += static_cast<std::int32_t>(group.size())) {
-    auto& bin = scratch.bins[i / bins][i % bins];
-    bin.box = empty_box<float>();
-    bin.count = 0;
-  }
+       i += static_cast<std::int32_t>(group.size()))
+    scratch.bins[i / bins][i % bins] = {empty_box<float>(), 0};
   group.sync();
   Boxf centres = empty_box<float>();
   for_each_leaf([&](const BinaryNode& own, std::uint32_t) { centres = join(centres, own.min + own.max); });
@@ -147,12 +159,15 @@ MASU_HD LeafSplit cheapest_split(const ThreadGroup& group, SplitScratch& scratch
     if (group.thread_rank() >= max_bins) return {};
     return cheapest_by_lanes(group.template tile<max_bins>(), along, scratch, count);
   } else {
-    LeafSplit best;
-    for (int axis = 0; axis < 3; ++axis) {
-      const LeafSplit split = cheapest_along(axis, along[axis], scratch, count);
-      if (comes_before(split, best)) best = split;
-    }
-    return best;
+    const auto add = [&](const AxisSplit& split, SplitSide& left, SplitSide& right) {
+      for (std::int32_t b = 0; b < bins; ++b) {
+        const auto& bin = scratch.bins[split.axis][b];
+        (b <= split.number ? left : right).add(bin.box, bin.count);
+      }
+    };
+    const AxisSplit best = cheapest_after_bin(group, bins, add);
+    if (best.axis < 0) return {};
+    return {best.cost, best.axis, along[best.axis].end(best.number)};
   }
 }
 

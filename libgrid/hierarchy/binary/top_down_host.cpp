@@ -1,4 +1,4 @@
-#include "libgrid/hierarchy/binary/top_down_host.h"
+#include "libgrid/hierarchy/binary/binary_hierarchy.h"
 
 #include "libgrid/hierarchy/binary/binned_fragments.h"
 #include "libgrid/hierarchy/binary/parallel_partition.h"
@@ -13,14 +13,7 @@ namespace masu {
 namespace {
 
 LeafSplit cheapest_of_few(const BinaryNode* leaves, std::uint32_t count) {
-  CountedBox boxes[few_leaves];
-  Lanes4 centres[few_leaves];
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const LaneBox box = box_of(leaves[i]);
-    boxes[i] = CountedBox(box);
-    centres[i] = box.twice_the_centre();
-  }
-  const SortedFew sorted(boxes, centres, count);
+  const SortedFew<Lanes4> sorted(leaves, count, [](Lanes4 centre) { return centre; });
   const AxisSplit split = sorted.cheapest_split();
   if (split.axis < 0) return {};
   return {split.cost, split.axis, sorted.key(split)};
@@ -133,7 +126,7 @@ public:
     choices_.resize(nodes_.size());
   }
 
-  BinaryHierarchy<TbbExecutor> build(const Boxd& space) {
+  HostHierarchy build(const Boxd& space) {
     if (count_ == 0) return {};
     build({leaves_.data(), 0, count_, large_.room}, twice(cast<float>(space)), 0, 0);
     return {std::move(nodes_), std::move(choices_)};
@@ -146,7 +139,7 @@ private:
     BinaryNode& node = nodes_[number];
     if (range.count == 1) {
       node = *range.leaves;
-      return with_choice(number, collapse_costs_of_leaf(node));
+      return with_choice(choices_, number, collapse_costs_of_leaf(node));
     }
     LeafSplit split;
     if (range.count > 2 && range.count <= most_leaves_split(depth)) {
@@ -174,12 +167,7 @@ private:
     }
     const BinaryNode &first = nodes_[pair], &last = nodes_[pair + 1];
     node = node_of(join(first.box(), last.box()), pair, first, last);
-    return with_choice(number, collapse_costs(node, left_costs, right_costs));
-  }
-
-  CollapseCosts with_choice(std::uint32_t number, const CollapseCosts& costs) {
-    choices_[number] = costs.choice;
-    return costs;
+    return with_choice(choices_, number, collapse_costs(node, left_costs, right_costs));
   }
 
   // Where a range's leaves may be.
@@ -203,16 +191,18 @@ private:
     }
   }
 
-  // Both get room in proportion.
-  struct Halves {
-    std::uint32_t left_room, right_first, right_room;
+  // But for where they are. Where a split is of all or nothing it becomes none. Both get room in proportion.
+  static void halve(const PlacedLeaves& range, LeafSplit& split, std::uint32_t left_count, PlacedLeaves& left,
+                    PlacedLeaves& right) {
+    if (left_count == 0 || left_count == range.count) {
+      split.axis = -1;
+      left_count = range.count / 2;
+    }
+    left = {nullptr, range.first, left_count, room_of_left(range.room, left_count, range.count)};
+    right = {nullptr, range.first + left.places(), range.count - left_count, range.room - left.room};
+  }
 
-    Halves(const PlacedLeaves& range, std::uint32_t left)
-        : left_room(room_of_left(range.room, left, range.count)), right_first(range.first + left + left_room),
-          right_room(range.room - left_room) {}
-  };
-
-  // Both in their order, the left ones first. Where a split is of all or nothing it becomes none.
+  // Both in their order, the left ones first.
   void partition(PlacedLeaves range, LeafSplit& split, PlacedLeaves& left, PlacedLeaves& right) {
     BinaryNode* const leaves = among_leaves(range.first);
     if (range.leaves != leaves) std::copy_n(range.leaves, range.count, leaves);
@@ -229,13 +219,11 @@ private:
       for (std::uint32_t i = left_count; i < range.count; ++i)
         put(box_of(rest[i - left_count]), leaves[i]);
     });
-    halve_if_one_sided(range, split, left_count);
-    const Halves halves(range, left_count);
-    BinaryNode* const first_right = among_leaves(halves.right_first);
-    if (halves.left_room > 0)
-      std::move_backward(leaves + left_count, leaves + range.count, first_right + range.count - left_count);
-    left = {leaves, range.first, left_count, halves.left_room};
-    right = {first_right, halves.right_first, range.count - left_count, halves.right_room};
+    halve(range, split, left_count, left, right);
+    left.leaves = leaves;
+    right.leaves = among_leaves(right.first);
+    if (left.room > 0)
+      std::move_backward(leaves + left.count, leaves + range.count, right.leaves + right.count);
   }
 
   // The same from among leaves to among nodes, or back.
@@ -253,19 +241,14 @@ private:
     });
     for (std::uint32_t c = 0; c < chunks; ++c)
       left_before[c + 1] += left_before[c];
-    std::uint32_t left_count = left_before[chunks];
-    halve_if_one_sided(range, split, left_count);
+    halve(range, split, left_before[chunks], left, right);
     const bool to_nodes = range.leaves == among_leaves(range.first);
-    const auto place = [&](std::uint32_t first, std::uint32_t count, std::uint32_t room) -> PlacedLeaves {
-      return {to_nodes ? among_nodes(first, count + room) : among_leaves(first), first, count, room};
-    };
-    const Halves halves(range, left_count);
-    left = place(range.first, left_count, halves.left_room);
-    right = place(halves.right_first, range.count - left_count, halves.right_room);
+    for (PlacedLeaves* const half : {&left, &right})
+      half->leaves = to_nodes ? among_nodes(half->first, half->places()) : among_leaves(half->first);
     for_each_chunk(range.count, progress_, [&](std::uint32_t c, std::uint32_t begin, std::uint32_t end) {
       if (split.axis < 0) {
         for (std::uint32_t i = begin; i != end; ++i)
-          put(box_of(range.leaves[i]), i < left_count ? left.leaves[i] : right.leaves[i - left_count]);
+          put(box_of(range.leaves[i]), i < left.count ? left.leaves[i] : right.leaves[i - left.count]);
       }
       with_axis(split.axis, [&](auto axis) {
         std::uint32_t to_left = left_before[c];
@@ -279,12 +262,6 @@ private:
     });
   }
 
-  static void halve_if_one_sided(const PlacedLeaves& range, LeafSplit& split, std::uint32_t& left_count) {
-    if (left_count != 0 && left_count != range.count) return;
-    split.axis = -1;
-    left_count = range.count / 2;
-  }
-
   std::uint32_t count_;
   LargeLeaves large_;
   const TriangleOf& triangle_;
@@ -295,9 +272,8 @@ private:
 
 } // namespace
 
-BinaryHierarchy<TbbExecutor> top_down_hierarchy(HierarchyLeaves<TbbExecutor> leaves,
-                                                const TriangleOf& triangle, const Boxd& space,
-                                                const ProgressMonitor* progress) {
+HostHierarchy top_down_hierarchy(HierarchyLeaves<TbbExecutor> leaves, const TriangleOf& triangle,
+                                 const Boxd& space, const ProgressMonitor* progress) {
   return TopDownBuilder(std::move(leaves), triangle, progress).build(space);
 }
 

@@ -1,5 +1,5 @@
 // A binary hierarchy from the root down, on whatever executor (executor.h): level by level, each node's
-// leaves as leaf_split.h has it. The CPU builds the same one depth first (top_down_host.h).
+// leaves as leaf_split.h has it. The CPU builds the same one depth first (binary_hierarchy.h).
 //
 //   1. split    of each node's leaves by where their centres are
 //   2. divide   what is large by a plane, where that is cheaper (large_leaves.h)
@@ -28,16 +28,15 @@ struct SplitNodes {
   const std::uint32_t* pairs;
   const CollapseCosts* small_costs;
 
-  MASU_HD bool is_there(std::uint64_t i) const { return i < count(); }
-  MASU_HD bool is_made(std::uint64_t i) const { return ranges[i].is_small(); }
-  MASU_HD const CollapseCosts& costs(std::uint64_t i) const { return small_costs[ranges[i].number_there]; }
-  MASU_HD static bool is_leaf(std::uint64_t) { return false; }
-  MASU_HD static BinaryNode leaf(std::uint64_t) { return {}; }
-  MASU_HD std::uint64_t number(std::uint64_t i, std::uint64_t) const { return ranges[i].number(); }
-  MASU_HD std::uint32_t first_child(std::uint64_t i) const { return ranges[i].number_there; }
-  MASU_HD std::uint64_t pair(std::uint64_t i, std::uint64_t) const { return pairs[i]; }
-  MASU_HD static Boxf box(std::uint64_t, const BinaryNode& left, const BinaryNode& right) {
-    return join(left.box(), right.box());
+  MASU_HD void combine(std::uint64_t i, const CombinedNodes& to) const {
+    if (i >= count()) return;
+    const LeafRange own = ranges[i];
+    if (own.is_small()) {
+      to.costs[i] = small_costs[own.number_there];
+      return;
+    }
+    const Boxf box = join(to.nodes[pairs[i]].box(), to.nodes[pairs[i] + 1].box());
+    to.put_parent(i, own.number(), box, own.number_there, pairs[i]);
   }
 };
 
@@ -57,10 +56,6 @@ struct RangeLevel {
 template <class Executor>
 struct LeafOrder {
   ArrayOf<Executor, std::uint32_t> leaves{}, ranges{};
-
-  LeafOrder(const Executor& executor, std::uint64_t count)
-      : leaves(executor.template array<std::uint32_t>(count)),
-        ranges(executor.template array<std::uint32_t>(count)) {}
 };
 
 // Numbers ranges as they are made, in any order: nothing depends on it.
@@ -152,10 +147,9 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
     return own != no_range && split[own].is_left(leaf[ordered_leaf[i]]);
   });
   const std::uint32_t* const left_before = left_sums.data();
-  std::uint32_t* const pair = level.pairs.data();
   LeafRange* const child = below.ranges.data();
-  Boxf* const child_space = below.spaces.data();
-  executor.for_each(range_count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(range_count, [=, pair = level.pairs.data(),
+                                  child_space = below.spaces.data()] MASU_PASS(std::uint64_t i) {
     if (i >= ranges_there() || range[i].is_small()) return;
     const std::uint32_t first = range[i].first, in_range = range[i].count, room = range[i].room;
     std::uint32_t left = left_before[first + in_range] - left_before[first];
@@ -172,8 +166,8 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
     child_space[at] = spaces.left;
     child_space[at + 1] = spaces.right;
   });
-  std::uint32_t *const next_leaf = next.leaves.data(), *const next_range_of = next.ranges.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(count, [=, next_leaf = next.leaves.data(),
+                            next_range_of = next.ranges.data()] MASU_PASS(std::uint64_t i) {
     const std::uint32_t own = range_of[i];
     if (own == no_range) {
       next_range_of[i] = no_range;
@@ -206,9 +200,7 @@ ArrayOf<Executor, BinaryNode> with_room(Executor& executor, const ArrayOf<Execut
                                         std::uint32_t room) {
   const std::uint64_t count = leaves.size();
   auto all = executor.template array<BinaryNode>(count + room);
-  BinaryNode* const to = all.data();
-  const BinaryNode* const leaf = leaves.data();
-  executor.for_each(count + room, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(count + room, [=, to = all.data(), leaf = leaves.data()] MASU_PASS(std::uint64_t i) {
     constexpr Vec3f nowhere{INFINITY, INFINITY, INFINITY};
     to[i] = i < count ? leaf[i] : BinaryNode{nowhere, 0, nowhere, 1};
   });
@@ -223,10 +215,13 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, HierarchyLeaves
   if (large.room > 0) leaves = with_room(executor, leaves, large.room);
   const std::uint64_t count = leaves.size();
   BinaryNode* const leaf = leaves.data();
-  LeafOrder<Executor> order(executor, count), next_order(executor, count);
-  std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
+  const auto order_of_all = [&]() -> LeafOrder<Executor> {
+    return {executor.template array<std::uint32_t>(count), executor.template array<std::uint32_t>(count)};
+  };
+  LeafOrder<Executor> order = order_of_all(), next_order = order_of_all();
   const bool is_small = count - large.room <= most_in_small;
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(count, [=, ordered_leaf = order.leaves.data(),
+                            range_of = order.ranges.data()] MASU_PASS(std::uint64_t i) {
     ordered_leaf[i] = static_cast<std::uint32_t>(i);
     range_of[i] = is_small ? no_range : 0;
   });
@@ -236,13 +231,11 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, HierarchyLeaves
   const RangeNumbers numbers{small.data(), counts.data()};
   RangeLevel<Executor> next{
       {1, nullptr}, executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
-  LeafRange* const all = next.ranges.data();
-  Boxf* const space = next.spaces.data();
-  executor.for_each(
-      1, [=, room = large.room, centres = twice(cast<float>(scene_space))] MASU_PASS(std::uint64_t) {
-        *all = numbers.numbered(0, static_cast<std::uint32_t>(count) - room, room, true, 0);
-        *space = centres;
-      });
+  executor.for_each(1, [=, all = next.ranges.data(), space = next.spaces.data(), room = large.room,
+                        centres = twice(cast<float>(scene_space))] MASU_PASS(std::uint64_t) {
+    *all = numbers.numbered(0, static_cast<std::uint32_t>(count) - room, room, true, 0);
+    *space = centres;
+  });
   std::vector<RangeLevel<Executor>> levels;
   while (next.ranges.size() > 0) {
     const auto depth = static_cast<std::uint32_t>(levels.size());
@@ -250,10 +243,11 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, HierarchyLeaves
     next = split_level(executor, leaf, large, triangle, depth, levels.back(), order, next_order, numbers,
                        counts);
   }
-  next_order = {executor, 0};
+  next_order = {};
   const std::uint32_t small_count = executor.value(counts, 0);
   auto small_costs = executor.template array<CollapseCosts>(small_count);
-  BinaryHierarchy<Executor> hierarchy = room_for_nodes(executor, 2 * count);
+  BinaryHierarchy<Executor> hierarchy{executor.template array<BinaryNode>(2 * count),
+                                      executor.template array<CollapseChoice>(2 * count)};
   executor.for_each_by_group(small_count,
                              SplitSmallRanges{leaf, order.leaves.data(), small.data(), hierarchy.nodes.data(),
                                               hierarchy.choices.data(), small_costs.data()});

@@ -42,9 +42,7 @@ MASU_HD inline NodeAxis<Real> node_axis(float origin, std::uint32_t exponent, Re
 }
 
 template <class Real>
-struct NodeAxes {
-  NodeAxis<Real> x, y, z;
-};
+using NodeAxes = Vec3<NodeAxis<Real>>;
 template <class Real>
 MASU_HD inline NodeAxes<Real> node_axes(const HierarchyNode& node, const Vec3<Real>& origin,
                                         const Vec3<Real>& inverse) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "libgrid/hierarchy/hierarchy.h"
-#include "libscene/base/fetch.h"
 #include "libscene/geometry/lanes.h"
 
 #include <immintrin.h>
@@ -13,21 +12,6 @@
 #include <type_traits>
 
 namespace masu {
-
-// Boxes are met in the arithmetic in which the scene is stored, of which they have the margin. That holds for
-// rays in float64, too, of which hits need next to nothing of it: rounding the ray's origin to float32 moves
-// it by u M, to which the distances of planes add their 14 u M: far less than 128.
-template <class Real, class Visitor>
-struct BoxArithmetic {
-  using type = Real;
-};
-template <class Real, class Visitor>
-requires requires(const Visitor& visitor) {
-  visitor.scene.triangles->a.x;
-}
-struct BoxArithmetic<Real, Visitor> {
-  using type = std::remove_cvref_t<decltype(std::declval<Visitor>().scene.triangles->a.x)>;
-};
 
 // x, y, z, 0
 template <class Real, class From>
@@ -153,11 +137,6 @@ MASU_ALWAYS_INLINE BoxesMet<float> boxes_met(const HierarchyNode& node, const No
     return {lanes_of<float>(low.slots() | high.slots() << 4),
             _mm256_set_m128(_mm256_cvtpd_ps(high.enter.v), _mm256_cvtpd_ps(low.enter.v))};
   }
-}
-template <class Real>
-MASU_ALWAYS_INLINE BoxesMet<float> boxes_met(const HierarchyNode& node, const BoxRay<Real>& ray,
-                                             float farthest) {
-  return boxes_met(node, planes_of(node, ray), ray, ray.origin, ray.inverse, farthest);
 }
 
 // What of a node is in boxes that the ray meets: bit 24 + slot for a node, and bit i for its reference i. A

@@ -37,12 +37,7 @@ MASU_HD inline HierarchyGroup nodes_group(std::uint32_t first, std::uint32_t slo
 
 // Where to find the node of a slot among a node's.
 MASU_HD inline std::uint32_t node_in(std::uint32_t first, std::uint32_t held, std::uint32_t slot) {
-  const std::uint32_t before = held & ~(~0U << slot);
-#ifdef __CUDA_ARCH__
-  return first + static_cast<std::uint32_t>(__popc(before));
-#else
-  return first + static_cast<std::uint32_t>(std::popcount(before));
-#endif
+  return first + count_bits(held & ~(~0U << slot));
 }
 
 // Boxes that rays begun as a packet (renderer/cuda/packet.h) have met by then, at most: a warp's lanes.
@@ -146,6 +141,29 @@ struct HierarchyWalk {
     return true;
   }
 
+  // What groups of lanes ask of a walk (lane_groups.h); that through placed meshes has other answers
+  // (libgrid/placed/placed_walk.h).
+  MASU_HD HierarchyWalk& level() { return *this; }
+  template <class Hierarchy, class Visitor>
+  MASU_HD bool comes_to_node(const Hierarchy& hierarchy, HierarchyStack&, Visitor&, HierarchyNode& node) {
+    if (next == no_node) return false;
+    node = fetched(hierarchy.nodes + next);
+    return true;
+  }
+  template <class TestRay>
+  MASU_HD const Vec3<Real>& origin_of(const TestRay& ray) const {
+    return ray.origin;
+  }
+  MASU_HD NoPadding padding() const { return {}; }
+  template <class Hierarchy, class Visitor>
+  MASU_HD void show_reference(const Hierarchy& hierarchy, std::uint32_t reference, Visitor& visitor) const {
+    show(hierarchy, reference, visitor);
+  }
+  template <class Visitor>
+  MASU_HD bool comes_back(HierarchyStack& stack, Visitor& visitor) {
+    return go_back(stack, visitor.farthest());
+  }
+
   // Visits the next node of the visitor's ray, and shows the visitor the references in the boxes that the ray
   // meets; false at the end. Tests are put off where few of a warp's lanes have any (after Ylitie, Karras &
   // Laine), unless the visitor counts: what is visited would depend on that.
@@ -178,33 +196,6 @@ struct HierarchyWalk {
       show(hierarchy, references.first + static_cast<std::uint32_t>(reference), visitor);
     }
     return !visitor.ends() && go_back(stack, visitor.farthest());
-  }
-
-  // What groups of lanes ask of a walk (lane_groups.h); that through placed meshes has other answers
-  // (libgrid/placed/placed_walk.h).
-  MASU_HD HierarchyWalk& level() {
-    return *this;
-  }
-  template <class Hierarchy, class Visitor>
-  MASU_HD bool comes_to_node(const Hierarchy& hierarchy, HierarchyStack&, Visitor&, HierarchyNode& node) {
-    if (next == no_node) return false;
-    node = fetched(hierarchy.nodes + next);
-    return true;
-  }
-  template <class TestRay>
-  MASU_HD const Vec3<Real>& origin_of(const TestRay& ray) const {
-    return ray.origin;
-  }
-  MASU_HD NoPadding padding() const {
-    return {};
-  }
-  template <class Hierarchy, class Visitor>
-  MASU_HD void show_reference(const Hierarchy& hierarchy, std::uint32_t reference, Visitor& visitor) const {
-    show(hierarchy, reference, visitor);
-  }
-  template <class Visitor>
-  MASU_HD bool comes_back(HierarchyStack& stack, Visitor& visitor) {
-    return go_back(stack, visitor.farthest());
   }
 };
 

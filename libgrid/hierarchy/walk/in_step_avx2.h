@@ -188,7 +188,7 @@ public:
         const WatertightRay<Real> ray{{origin_.of(lane), direction_.of(lane), inverse_square_.of[lane]},
                                       across1_.of(lane),
                                       across2_.of(lane)};
-        if (intersect<M::kinds>(scene, ray, test_[i], t_min_[lane], test_t_[i], counts)) add_hits(i, 1);
+        if (test_primitive<M::kinds>(scene, ray, test_[i], t_min_[lane], test_t_[i], counts)) add_hits(i, 1);
       }
     }
   }

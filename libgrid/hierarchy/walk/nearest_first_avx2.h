@@ -49,30 +49,11 @@ MASU_ALWAYS_INLINE void meet_triangles(const Triangle<Stored>* triangles, const 
   }
 }
 
+// Whether a visitor is shown triangles only where the ray meets them.
 template <class Visitor>
 concept TakesMetTriangles = requires(Visitor visitor) {
   visitor.met(visitor.farthest(), PrimitiveIndex{});
 };
-
-// Shows a visitor references[i] where bit i is set; of triangles only those that the ray meets, where it
-// takes them.
-template <class Visitor>
-MASU_ALWAYS_INLINE void show_references(Visitor& visitor, const PrimitiveIndex* references,
-                                        std::uint32_t bits) {
-  if constexpr (TakesMetTriangles<Visitor>) {
-    meet_triangles(visitor.scene.triangles, visitor.ray, references, bits,
-                   [&](PrimitiveIndex number, auto t) { visitor.met(t, number); });
-  } else {
-    each_bit(bits, [&](int i) { visitor.primitive(references[i]); });
-  }
-}
-template <class Visitor>
-MASU_ALWAYS_INLINE void prefetch_references(const Visitor& visitor, const PrimitiveIndex* references,
-                                            std::uint32_t bits) {
-  if constexpr (TakesMetTriangles<Visitor>) {
-    each_bit(bits, [&](int i) { prefetch(visitor.scene.triangles + references[i]); });
-  }
-}
 
 // A walk under way. The tests of a node's references come with the next step, and what either needs is
 // prefetched.
@@ -89,7 +70,12 @@ public:
   template <class Real, class Visitor>
   MASU_ALWAYS_INLINE bool advance(const HierarchyView<Real>& hierarchy, Visitor& visitor) {
     if (met_ != 0) {
-      show_references(visitor, references_, met_);
+      const PrimitiveIndex* const references = references_;
+      if constexpr (TakesMetTriangles<Visitor>)
+        meet_triangles(visitor.scene.triangles, visitor.ray, references, met_,
+                       [&](PrimitiveIndex number, auto t) { visitor.met(t, number); });
+      else
+        each_bit(met_, [&](int i) { visitor.primitive(references[i]); });
       met_ = 0;
       if (visitor.ends()) return false;
     }
@@ -99,12 +85,14 @@ public:
       next_ = *--end_;
     }
     const HierarchyNode& node = hierarchy.nodes[static_cast<std::uint32_t>(next_)];
-    const BoxesMet<float> met = boxes_met(node, ray_, farthest);
+    const BoxesMet<float> met =
+        boxes_met(node, planes_of(node, ray_), ray_, ray_.origin, ray_.inverse, farthest);
     const std::uint32_t slots = met.slots(), nodes = slots & node_slots(node);
     if (slots != nodes) {
       references_ = hierarchy.references + node.first_reference;
       met_ = slots_met(eight_bytes(node.slots), met.lanes) & 0xffffff;
-      prefetch_references(visitor, references_, met_);
+      if constexpr (TakesMetTriangles<Visitor>)
+        each_bit(met_, [&](int i) { prefetch(visitor.scene.triangles + references_[i]); });
     }
     if (nodes != 0) {
       next_ = nearest_of(node, nodes, met.enter);

@@ -11,8 +11,6 @@
 #include "libgrid/trace/trace.h"
 #include "libscene/geometry/triangle_lanes.h"
 
-#include <algorithm>
-
 namespace masu {
 
 // Takes from what is left of each row the rays that run as one of them does: by their inverse directions.
@@ -315,7 +313,7 @@ private:
       unsigned hits = 0;
       each_bit(lanes, [&](int lane) {
         const WatertightRay<Real> ray = own.test_ray(static_cast<std::size_t>(lane));
-        if (intersect<M::kinds>(scene_, ray, primitive, own.t_min.of[lane], t[lane], counts))
+        if (test_primitive<M::kinds>(scene_, ray, primitive, own.t_min.of[lane], t[lane], counts))
           hits |= 1U << lane;
       });
       keep(e, lanes_of<Real>(hits), Number::load(t), primitive);

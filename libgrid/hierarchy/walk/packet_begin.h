@@ -68,14 +68,6 @@ __device__ inline void packet_planes(const HierarchyNode& node, unsigned slot, i
   box.far[axis] = plane(along.sign < 0 ? low : high);
 }
 
-__device__ inline void move_planes(PacketBox&, NoPadding) {}
-__device__ inline void move_planes(PacketBox& box, float outwards) {
-  for (int axis = 0; axis < 3; ++axis) {
-    box.near[axis] -= outwards;
-    box.far[axis] += outwards;
-  }
-}
-
 // A warp's rays in the space of some boxes, where they are alike: the bounds of all of them.
 struct PacketBounds {
   PacketAxis x, y, z;
@@ -123,7 +115,12 @@ __device__ inline unsigned boxes_left(const HierarchyNode* nodes, std::uint32_t 
     packet_planes(node, slot, 0, all.x, box);
     packet_planes(node, slot, 1, all.y, box);
     packet_planes(node, slot, 2, all.z, box);
-    move_planes(box, padding);
+    if constexpr (may_hold_items) {
+      for (int axis = 0; axis < 3; ++axis) {
+        box.near[axis] -= padding;
+        box.far[axis] += padding;
+      }
+    }
     std::uint32_t entry;
     const bool meets = overlap(all.x.entered(box.near[0]), all.x.left(box.far[0]), all.y.entered(box.near[1]),
                                all.y.left(box.far[1]), all.z.entered(box.near[2]), all.z.left(box.far[2]),

@@ -1,20 +1,10 @@
 #include "libscene/mesh/files/mesh_file.h"
 
-#include <algorithm>
+#include "libscene/mesh/files/text_lines.h"
+
 #include <array>
-#include <utility>
 
 namespace masu {
-namespace {
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c | ' ');
-  return result;
-}
-
-} // namespace
 
 void begin_object(MeshFile& file, const std::string& name, std::uint32_t material) {
   if (file.objects.empty() || file.objects.back().faces > 0) file.objects.emplace_back();
@@ -43,7 +33,7 @@ std::string extension_of(const std::filesystem::path& path) {
 
 std::optional<MeshFormat> format_of_name(const std::string& extension) {
   constexpr std::array names{"obj", "ply", "off", "stl"};
-  const auto found = std::ranges::find(names, lower_case(extension));
+  const auto found = std::ranges::find_if(names, [&](const char* name) { return is_word(extension, name); });
   return found != names.end() ? std::optional(static_cast<MeshFormat>(found - names.begin())) : std::nullopt;
 }
 
@@ -57,8 +47,8 @@ std::optional<MeshFormat> format_of_content(std::string_view file) {
     file.remove_prefix(std::min(file.find_first_of("\r\n"), file.size()));
   }
   const std::string_view word = file.substr(0, file.find_first_of(blanks));
-  if (lower_case(word) == "ply") return MeshFormat::ply;
-  if (lower_case(word) == "solid") return MeshFormat::stl;
+  if (is_word(word, "ply")) return MeshFormat::ply;
+  if (is_word(word, "solid")) return MeshFormat::stl;
   if (word.size() <= 6 && word.ends_with("OFF")) return MeshFormat::off;
   constexpr std::array obj{"v", "vn", "vt", "f", "o", "g", "s", "usemtl", "mtllib"};
   return std::ranges::find(obj, word) != obj.end() ? std::optional(MeshFormat::obj) : std::nullopt;

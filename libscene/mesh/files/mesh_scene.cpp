@@ -2,15 +2,17 @@
 
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
 #include "libscene/file/input_file.h"
 #include "libscene/material_table.h"
-#include "libscene/mesh/files/vertex_normals.h"
-#include "libscene/mesh/points.h"
 #include "libscene/mesh/triangulate.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -37,6 +39,80 @@ std::uint64_t checked_size(const MeshFile& file, const ImportOptions& options, c
                             triangles, needed / 1e9, available / 1e9));
   return triangles;
 }
+
+// --- Normals at the vertices of an object that has none --------------------------------------------------
+
+// Orders positions, NaN included; equal where the coordinates are.
+std::array<std::uint64_t, 3> key_of(const Vec3d& p) {
+  // + 0 makes -0 and 0 the same.
+  return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0),
+          std::bit_cast<std::uint64_t>(p.z + 0.0)};
+}
+
+// For each vertex the sum of the unit normals of all the object's faces with a corner at its position,
+// weighted by the corner's angle, after Thürmer & Wüthrich, "Computing Vertex Normals from Polygonal Facets",
+// Journal of Graphics Tools 3(1), 1998. Zero where there is no such face, or none with area.
+class VertexNormals {
+public:
+  // `file` outlives it.
+  explicit VertexNormals(const MeshFile& file)
+      : file_(file), first_(file.positions.size()), normals_(file.positions.size()) {
+    std::vector<std::uint32_t> order(first_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const auto key_a = key_of(file.positions[a]), key_b = key_of(file.positions[b]);
+      return key_a != key_b ? key_a < key_b : a < b;
+    });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const bool is_same = i > 0 && key_of(file.positions[order[i]]) == key_of(file.positions[order[i - 1]]);
+      first_[order[i]] = is_same ? first_[order[i - 1]] : order[i];
+    }
+  }
+
+  // Takes that object's faces, in time of their number; before, and again for another one.
+  void take(const MeshObject& object) {
+    const std::span<const std::uint32_t> all(file_.corners.data() + object.first_corner, object.corners);
+    for (const std::uint32_t corner : all)
+      normals_[first_[corner]] = {0, 0, 0};
+    // Of a face, of equal consecutive ones the first: an angle has two sides.
+    std::vector<std::uint32_t> corners;
+    std::size_t begin = 0;
+    for (std::uint64_t f = object.first_face; f < object.first_face + object.faces; ++f) {
+      corners.clear();
+      for (const std::uint32_t corner : all.subspan(begin, file_.face_sizes[f]))
+        if (corners.empty() || first_[corner] != corners.back()) corners.push_back(first_[corner]);
+      begin += file_.face_sizes[f];
+      while (corners.size() > 1 && corners.front() == corners.back())
+        corners.pop_back();
+      if (corners.size() >= 3) add_face(corners);
+    }
+  }
+
+  Vec3d operator[](std::uint32_t vertex) const { return normals_[first_[vertex]]; }
+
+private:
+  void add_face(std::span<const std::uint32_t> corners) {
+    const std::size_t n = corners.size();
+    const auto corner = [&](std::size_t i) { return file_.positions[corners[i % n]]; };
+    Vec3d across{0, 0, 0}; // twice the area
+    for (std::size_t i = 1; i + 1 < n; ++i)
+      across = across + cross(corner(i) - corner(0), corner(i + 1) - corner(0));
+    const auto unit_or_zero = [](const Vec3d& v) { return unit(v).value_or(Vec3d{0, 0, 0}); };
+    const Vec3d normal = unit_or_zero(across);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3d next = unit_or_zero(corner(i + 1) - corner(i));
+      const Vec3d previous = unit_or_zero(corner(i + n - 1) - corner(i));
+      const double angle = std::atan2(length(cross(next, previous)), dot(next, previous));
+      normals_[corners[i]] = normals_[corners[i]] + normal * angle;
+    }
+  }
+
+  const MeshFile& file_;
+  std::vector<std::uint32_t> first_; // of each vertex: the first at its position
+  std::vector<Vec3d> normals_;       // of those
+};
+
+// --- The scene -------------------------------------------------------------------------------------------
 
 // The state of an import. Vectors are members to reuse their memory.
 struct Importing {
@@ -147,6 +223,18 @@ void add_object(Importing& state, const MeshObject& object, std::uint32_t number
   }
   ++(state.smooth ? state.result.scene.objects.patches : state.result.scene.objects.polygons);
   state.result.object_names.push_back(object.name);
+}
+
+// Puts the triangles without a surface where others are: in a corner of the first one that has a surface. So
+// neither bounds nor the choice of the store depend on them.
+void place_points(GrowingArray<SceneTriangle>& triangles) {
+  const auto is_surface = [](const Triangle<double>& triangle) { return has_surface(triangle); };
+  const SceneTriangle* const first = std::find_if(triangles.begin(), triangles.end(), is_surface);
+  const Vec3d place = first != triangles.end() ? first->a : points_without_surface;
+  parallel_for(triangles.size(), [&](std::size_t i) {
+    SceneTriangle& triangle = triangles[i];
+    if (!is_surface(triangle)) triangle.a = triangle.b = triangle.c = place;
+  });
 }
 
 constexpr std::int32_t default_height = 512;

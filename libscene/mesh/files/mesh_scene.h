@@ -7,7 +7,7 @@
 // Faces are numbered through all objects: Scene::faces. Each has a triangle at least, so that those of a mesh
 // of triangles have their faces' numbers: a triangle of which two corners coincide, a larger face without
 // area, and one with a coordinate that isn't finite or is beyond 1e100 have one that nothing can hit
-// (points.h). What has fewer than three corners, a point or a line, is no face.
+// (triangle_area.h). What has fewer than three corners, a point or a line, is no face.
 #pragma once
 
 #include "libscene/mesh/files/mesh_file.h"

@@ -1,8 +1,8 @@
 // Wavefront OBJ: the polygonal part of "Object Files (.obj)", Wavefront's Advanced Visualizer manual, app.
 // B1.
 #include "libscene/base/error.h"
+#include "libscene/mesh/files/file_material.h"
 #include "libscene/mesh/files/mesh_file.h"
-#include "libscene/mesh/files/obj_materials.h"
 #include "libscene/mesh/files/text_lines.h"
 
 #include <fmt/format.h>
@@ -11,9 +11,107 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <unordered_map>
 
 namespace masu {
 namespace {
+
+// --- The materials of an OBJ, and the files that it takes them from (MTL) --------------------------------
+
+bool is_texture(std::string_view word) {
+  return word.starts_with("map_") || word == "bump" || word == "disp" || word == "refl" || word == "norm";
+}
+
+// One number or three; a spectrum, or CIE's XYZ, isn't used.
+void read_color(TextLines& lines, Vec3f& color) {
+  if (lines.is_at_end() || lines.peek() == "spectral" || lines.peek() == "xyz") return;
+  const auto component = [&] { return static_cast<float>(lines.number("a component of a colour")); };
+  color.x = component();
+  color.y = lines.is_at_end() ? color.x : component();
+  color.z = lines.is_at_end() ? color.x : component();
+}
+
+// What MTL says. Ke and Ka aren't used: nothing glows, and all have the same ambient light.
+struct Description {
+  PhongSurface surface{.color = {0.6F, 0.6F, 0.6F}};
+  Vec3f specular{0, 0, 0};
+  std::int64_t illumination = 1;
+  std::optional<float> metalness{}, roughness{};
+  bool has_textures = false;
+};
+
+Material material_of(const Description& of) {
+  if (of.metalness || of.roughness)
+    return metallic_material(of.surface.color, of.metalness.value_or(0), of.roughness.value_or(1),
+                             1 - clamped(of.surface.opacity, 0, 1), 1);
+  PhongSurface phong = of.surface;
+  const Vec3f& mirror = of.specular;
+  if (of.illumination >= 3 && of.illumination <= 9)
+    phong.mirror = mean({clamped(mirror.x, 0, 1), clamped(mirror.y, 0, 1), clamped(mirror.z, 0, 1)});
+  return phong_material(phong);
+}
+
+class ObjMaterials {
+public:
+  // The number of the material of that name: a grey one, until a file says more.
+  std::uint32_t number_of(const std::string& name) {
+    const auto [found, is_new] = numbers_.try_emplace(name, static_cast<std::uint32_t>(descriptions_.size()));
+    if (is_new) descriptions_.emplace_back();
+    return found->second;
+  }
+
+  // Reads a file of materials. Errors repeat nothing of it: an OBJ may name any file. Throws
+  // Error(input, name:line, …).
+  void read(std::string_view text, const std::string& name) {
+    TextLines lines(text, name, '#');
+    lines.quote_nothing();
+    Description* material = nullptr;
+    const auto number = [&] { return static_cast<float>(lines.number("a number")); };
+    while (lines.next()) {
+      const std::string_view word = lines.word();
+      if (word == "newmtl") material = &descriptions_[number_of(std::string(lines.rest()))];
+      if (material == nullptr) continue;
+      if (word == "Kd") {
+        read_color(lines, material->surface.color);
+      } else if (word == "Ks") {
+        read_color(lines, material->specular);
+      } else if (word == "Ns") {
+        material->surface.shine = number();
+      } else if (word == "Ni") {
+        material->surface.refraction_index = number();
+      } else if (word == "d") {
+        if (lines.peek() == "-halo") lines.word();
+        material->surface.opacity = number();
+      } else if (word == "Tr") {
+        material->surface.opacity = 1 - number();
+      } else if (word == "illum") {
+        material->illumination = lines.whole("a number from 0 to 10");
+      } else if (word == "Pm") {
+        material->metalness = number();
+      } else if (word == "Pr") {
+        material->roughness = number();
+      } else if (is_texture(word)) {
+        material->has_textures = true;
+      }
+    }
+  }
+
+  // All, in the order of their numbers; adds those with textures to the notes.
+  std::vector<FileMaterial> all(ImportNotes& notes) const {
+    std::vector<FileMaterial> materials;
+    for (const Description& description : descriptions_) {
+      materials.push_back({material_of(description)});
+      notes.textured_materials += description.has_textures ? 1 : 0;
+    }
+    return materials;
+  }
+
+private:
+  std::vector<Description> descriptions_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;
+};
+
+// --- Shapes ----------------------------------------------------------------------------------------------
 
 // The largest number that was used before the file had so many of its kind: those may follow.
 struct Pending {

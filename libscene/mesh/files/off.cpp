@@ -11,7 +11,7 @@ namespace masu {
 namespace {
 
 struct Kind {
-  bool has_texture = false, has_colors = false, has_normals = false, is_homogeneous = false;
+  bool has_colors = false, has_normals = false, is_homogeneous = false;
 };
 
 std::optional<Kind> kind_of(std::string_view word) {
@@ -21,7 +21,7 @@ std::optional<Kind> kind_of(std::string_view word) {
     if (has) word.remove_prefix(prefix.size());
     return has;
   };
-  kind.has_texture = take("ST");
+  take("ST"); // texture coordinates, which aren't used
   kind.has_colors = take("C");
   kind.has_normals = take("N");
   kind.is_homogeneous = take("4");
@@ -52,8 +52,7 @@ std::uint64_t read_count(TextLines& lines, const char* what) {
 }
 
 Vec3d read_vector(TextLines& lines, const char* what) {
-  const double x = lines.number(what), y = lines.number(what);
-  return {x, y, lines.number(what)};
+  return {lines.number(what), lines.number(what), lines.number(what)};
 }
 
 void read_vertex(TextLines& lines, const Kind& kind, MeshFile& file) {

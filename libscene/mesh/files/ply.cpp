@@ -71,11 +71,6 @@ struct Header {
 
 // --- The header ------------------------------------------------------------------------------------------
 
-bool is_magic(std::string_view word) {
-  return word.size() == 3 &&
-         std::ranges::equal(word, std::string_view("ply"), {}, [](char c) { return c | ' '; });
-}
-
 Type type_of(TextLines& lines) {
   const std::string_view word = lines.peek();
   for (std::size_t i = 0; i < types.size(); ++i) {
@@ -109,20 +104,18 @@ Property property_of(TextLines& lines, bool is_face, bool is_vertex) {
 }
 
 void check_element(const TextLines& lines, const Element& element) {
-  const auto has_corners = [&] {
-    return std::ranges::any_of(element.properties, [](const Property& p) { return p.is_corners; });
-  };
   if (element.count == 0) return;
   if (element.name == "vertex" && !(element.has(x) && element.has(y) && element.has(z)))
     lines.fail("the header's vertices lack x, y or z: give them all");
-  if (element.name == "face" && !has_corners())
+  if (element.name == "face" && std::ranges::none_of(element.properties, &Property::is_corners))
     lines.fail("the header's faces have no list vertex_indices: give it");
 }
 
 // A line that isn't known passes: some programs write comments without saying so.
 Header header_of(TextLines& lines) {
   Header header;
-  if (!lines.next() || !is_magic(lines.word())) lines.fail("isn't a PLY file: its first line isn't ply");
+  if (!lines.next() || !is_word(lines.word(), "ply"))
+    lines.fail("isn't a PLY file: its first line isn't ply");
   for (;;) {
     lines.need_line("a line of its header up to end_header");
     const std::string_view word = lines.word();
@@ -195,28 +188,12 @@ public:
     number_ = number;
   }
   double next(Type type) {
-    switch (type) {
-    case Type::int8:
-      return take<std::int8_t>();
-    case Type::uint8:
-      return take<std::uint8_t>();
-    case Type::int16:
-      return take<std::int16_t>();
-    case Type::uint16:
-      return take<std::uint16_t>();
-    case Type::int32:
-      return take<std::int32_t>();
-    case Type::uint32:
-      return take<std::uint32_t>();
-    case Type::int64:
-      return static_cast<double>(take<std::int64_t>());
-    case Type::uint64:
-      return static_cast<double>(take<std::uint64_t>());
-    case Type::float32:
-      return static_cast<double>(take<float>());
-    default:
-      return take<double>();
-    }
+    using Of = BinaryValues;
+    constexpr std::array takes{&Of::take<std::int8_t>,   &Of::take<std::uint8_t>,  &Of::take<std::int16_t>,
+                               &Of::take<std::uint16_t>, &Of::take<std::int32_t>,  &Of::take<std::uint32_t>,
+                               &Of::take<std::int64_t>,  &Of::take<std::uint64_t>, &Of::take<float>,
+                               &Of::take<double>};
+    return (this->*takes[static_cast<std::size_t>(type)])();
   }
   void end() {}
   std::uint64_t most(const Element& element) const {
@@ -235,13 +212,13 @@ public:
 
 private:
   template <class T>
-  T take() {
+  double take() {
     check_room(sizeof(T));
     std::array<char, sizeof(T)> raw{};
     std::memcpy(raw.data(), bytes_.data(), sizeof(T));
     if (is_swapped_) std::ranges::reverse(raw);
     bytes_.remove_prefix(sizeof(T));
-    return std::bit_cast<T>(raw);
+    return static_cast<double>(std::bit_cast<T>(raw));
   }
 
   std::string_view bytes_;

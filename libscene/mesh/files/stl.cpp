@@ -13,11 +13,6 @@
 namespace masu {
 namespace {
 
-// In any case of letters.
-bool is_word(std::string_view word, std::string_view lower_case) {
-  return std::ranges::equal(word, lower_case, {}, [](char c) { return c >= 'A' && c <= 'Z' ? c | ' ' : c; });
-}
-
 void add_triangle(MeshFile& file) {
   const auto end = static_cast<std::uint32_t>(file.positions.size());
   const std::array corners{end - 3, end - 2, end - 1};
@@ -69,8 +64,7 @@ private:
     if (file_.positions.size() > no_index - 3) lines_.fail("has more than 2^32 - 1 vertices: split the file");
     for (int i = 0; i < 3; ++i) {
       need("vertex");
-      const double x = coordinate(), y = coordinate();
-      file_.positions.push_back({x, y, coordinate()});
+      file_.positions.push_back({coordinate(), coordinate(), coordinate()});
     }
     need("endloop");
     need("endfacet");

@@ -1,6 +1,7 @@
 // Lines of a text, and the words and numbers in a line.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,6 +11,11 @@ namespace masu {
 
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+// In any case of letters.
+inline bool is_word(std::string_view word, std::string_view lower_case) {
+  return std::ranges::equal(word, lower_case, {}, [](char c) { return c >= 'A' && c <= 'Z' ? c | ' ' : c; });
 }
 
 // A text's beginning, for errors.

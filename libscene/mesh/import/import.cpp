@@ -4,10 +4,7 @@
 #include "libscene/file/input_file.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/mesh/files/text_lines.h"
-#include "libscene/mesh/import/gltf_extensions.h"
-#include "libscene/mesh/import/import_material.h"
-#include "libscene/mesh/import/import_transform.h"
-#include "libscene/mesh/import/import_view.h"
+#include "libscene/mesh/import/assimp_scene.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
@@ -16,8 +13,11 @@
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -33,13 +33,9 @@ std::string name_of(const aiNode& node, const aiMesh& mesh) {
   return own.empty() || own == of_node ? std::string(of_node) : fmt::format("{}/{}", of_node, own);
 }
 
-// What is taken of vertices beside their positions.
-struct Attributes {
-  bool normals = false, colors = false;
-};
-
-// The mesh's faces, as an object without a place. Throws where a face's corner isn't among its vertices.
-MeshObject add_mesh(const aiMesh& mesh, Attributes attributes, std::uint64_t& points_and_lines,
+// The mesh's faces, as an object without a place. `normals`, `colors`: whether they are taken of vertices.
+// Throws where a face's corner isn't among its vertices.
+MeshObject add_mesh(const aiMesh& mesh, bool normals, bool colors, std::uint64_t& points_and_lines,
                     const std::string& name, MeshFile& result) {
   const std::size_t first = result.positions.size();
   if (mesh.mNumVertices > no_index - first)
@@ -51,9 +47,8 @@ MeshObject add_mesh(const aiMesh& mesh, Attributes attributes, std::uint64_t& po
                     .first_corner = result.corners.size()};
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     result.positions.push_back(import::vector_of(mesh.mVertices[v]));
-    if (attributes.normals)
-      result.normals.push_back(mesh.HasNormals() ? import::vector_of(mesh.mNormals[v]) : Vec3d{});
-    if (!attributes.colors) continue;
+    if (normals) result.normals.push_back(mesh.HasNormals() ? import::vector_of(mesh.mNormals[v]) : Vec3d{});
+    if (!colors) continue;
     const aiColor4D color = mesh.HasVertexColors(0) ? mesh.mColors[0][v] : aiColor4D{};
     result.colors.push_back({color.r, color.g, color.b});
   }
@@ -112,9 +107,9 @@ void add_instances(const aiScene& file, const std::vector<MeshObject>& meshes,
 
 MeshFile mesh_file_of(const aiScene& file, const std::string& name, bool smooth) {
   MeshFile result;
-  Attributes attributes{.normals = smooth};
+  bool colors = false;
   for (unsigned i = 0; i < file.mNumMeshes; ++i)
-    attributes.colors |= file.mMeshes[i]->HasVertexColors(0);
+    colors |= file.mMeshes[i]->HasVertexColors(0);
   for (unsigned i = 0; i < file.mNumMaterials; ++i) {
     result.materials.push_back(import::imported_material(*file.mMaterials[i]));
     result.notes.textured_materials += import::has_textures(*file.mMaterials[i]) ? 1 : 0;
@@ -126,7 +121,7 @@ MeshFile mesh_file_of(const aiScene& file, const std::string& name, bool smooth)
       throw Error(ErrorCode::input, name,
                   fmt::format("mesh '{}' has a material that doesn't exist: repair the file",
                               excerpt(file.mMeshes[i]->mName.C_Str())));
-    meshes.push_back(add_mesh(*file.mMeshes[i], attributes, points_and_lines[i], name, result));
+    meshes.push_back(add_mesh(*file.mMeshes[i], smooth, colors, points_and_lines[i], name, result));
   }
   if (file.mRootNode != nullptr) add_instances(file, meshes, points_and_lines, name, result);
   return result;
@@ -134,8 +129,7 @@ MeshFile mesh_file_of(const aiScene& file, const std::string& name, bool smooth)
 
 // By how much coordinates in that box were rounded to float32, where that is more than 1e-5 of its extent.
 double float32_error(const Boxd& box) {
-  const double error =
-      std::max(largest_magnitude(box.min), largest_magnitude(box.max)) * RealTraits<float>::unit_roundoff;
+  const double error = largest_magnitude(box) * RealTraits<float>::unit_roundoff;
   return error > 1e-5 * largest_magnitude(box.max - box.min) ? error : 0;
 }
 
@@ -161,17 +155,15 @@ class RegularFiles final : public Assimp::DefaultIOSystem {
 public:
   RegularFiles(std::string mesh, const std::function<void(const std::string&)>& opened, bool& opens_others)
       : mesh_(std::move(mesh)), opened_(opened), opens_others_(opens_others) {}
-  bool Exists(const char* path) const override { return is_regular_file(path); }
+  bool Exists(const char* path) const override {
+    std::error_code unknown;
+    return std::filesystem::is_regular_file(path, unknown);
+  }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
     if (!Exists(path)) return nullptr;
     if (opened_) opened_(path);
     opens_others_ |= path != mesh_;
     return DefaultIOSystem::Open(path, mode);
-  }
-
-  static bool is_regular_file(const std::filesystem::path& path) {
-    std::error_code unknown;
-    return std::filesystem::is_regular_file(path, unknown);
   }
 
 private:
@@ -217,23 +209,64 @@ ImportedScene imported_by(const std::string& name, const ImportOptions& options,
   return result;
 }
 
-// --- Our own readers, and Assimp for all else --------------------------------------------------------------
+// --- What a glTF file can't be read without -----------------------------------------------------------
 
-// None: one for Assimp.
-std::optional<MeshFormat> format_of(std::string_view bytes, const std::string& extension) {
-  if (const auto format = format_of_name(extension)) return format;
-  if (!extension.empty() && Assimp::Importer().IsExtensionSupported("." + extension)) return {};
-  return format_of_content(bytes);
+// The JSON of a binary glTF file, which begins with twelve bytes and a chunk's length and type; else all.
+std::string_view json_of(std::string_view file) {
+  constexpr std::size_t header = 20;
+  if (!file.starts_with("glTF") || file.size() < header) return file;
+  std::uint32_t length = 0;
+  std::memcpy(&length, file.data() + 12, sizeof length);
+  return file.substr(header, length);
 }
+
+// Those that Assimp reads, and those of textures, of which none is used.
+constexpr std::array understood{"KHR_lights_punctual",
+                                "KHR_materials_ior",
+                                "KHR_materials_pbrSpecularGlossiness",
+                                "KHR_materials_transmission",
+                                "KHR_texture_basisu",
+                                "KHR_texture_transform",
+                                "EXT_texture_webp"};
+
+// Throws Error(input, name, …) for a glTF 2.0 file, as text or binary, that requires an extension which isn't
+// understood, as the specification (3.12) demands; Assimp reads on, and gets another shape. Files of other
+// formats pass, and invalid ones.
+void check_gltf_extensions(std::string_view file, const std::string& name) {
+  const std::string_view text = json_of(file);
+  if (!text.substr(std::min(text.find_first_not_of(" \t\r\n\xef\xbb\xbf"), text.size())).starts_with('{'))
+    return;
+  constexpr const char* required = "extensionsRequired";
+  using Json = nlohmann::json;
+  // Nothing else is kept: there may be meshes in it.
+  const auto is_kept = [&](int depth, Json::parse_event_t event, const Json& value) {
+    return depth != 1 || event != Json::parse_event_t::key || value == required;
+  };
+  const Json json = Json::parse(text, is_kept, false);
+  if (!json.is_object() || !json.contains(required) || !json[required].is_array()) return;
+  for (const Json& extension : json[required]) {
+    if (!extension.is_string()) continue;
+    const auto& wanted = extension.get_ref<const std::string&>();
+    if (std::ranges::find(understood, wanted) != understood.end()) continue;
+    throw Error(
+        ErrorCode::input, name,
+        fmt::format("requires the glTF extension {}, which isn't read: convert it to a file without{}",
+                    excerpt(wanted, 64), wanted == "KHR_mesh_quantization" ? " (gltfpack -noq)" : ""));
+  }
+}
+
+// --- Our own readers, and Assimp for all else --------------------------------------------------------------
 
 // The mesh, if it isn't one for Assimp.
 std::optional<MeshFile> parsed_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
                                     const std::filesystem::path& folder, const std::string& name,
                                     const ImportOptions& options) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const std::optional<MeshFormat> format = format_of(text, extension);
+  std::optional<MeshFormat> format = format_of_name(extension);
+  if (!format && (extension.empty() || !Assimp::Importer().IsExtensionSupported("." + extension)))
+    format = format_of_content(text);
   if (!format) {
-    import::check_gltf_extensions(text, name);
+    check_gltf_extensions(text, name);
     return {};
   }
   return read_mesh_file(bytes, *format, folder, name, options);

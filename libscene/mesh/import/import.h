@@ -4,7 +4,7 @@
 // Of a file that Assimp reads each instance of a mesh, a node that names it, is an object: in the order of a
 // walk over the node tree, parents first, a node's meshes before its children.
 //
-// Materials: import_material.h; camera and lights: import_view.h. Points, lines, textures, animations and
+// Materials, camera and lights: assimp_scene.h. Points, lines, textures, animations and
 // skins aren't imported: meshes have the shape of the bind pose.
 #pragma once
 

@@ -1,7 +1,5 @@
 // Placed meshes put on a device, and moved there.
-#include "renderer/cuda/placed/placed.h"
-
-#include "renderer/cuda/device_files.h"
+#include "renderer/cuda/placed/placed_rays.h"
 #include "renderer/tracer/placed_tracer.h"
 
 #include <cstring>

@@ -18,8 +18,7 @@ template <class Real>
 struct RayQueue {
   const Ray<Real>* rays;
   std::uint32_t count;
-  const std::uint32_t* chosen; // numbers of rays, near their order
-  bool may_cull;               // whether `chosen` is there; WarpProgress says whether it holds
+  const std::uint32_t* chosen; // numbers of rays, near their order, where WarpProgress says so; or null
 };
 
 // Fewer rays aren't worth a look.

@@ -13,10 +13,6 @@ namespace masu {
 // warp_refill, where there are some to fetch.
 inline constexpr std::uint64_t min_rays_looked_at = std::uint64_t{1} << 19,
                                min_rays_fetched = std::uint64_t{1} << 17;
-constexpr RayLoop loop_of_few(Query query, std::uint64_t count) {
-  return query == Query::nearest_hit && count >= min_rays_fetched ? RayLoop::warp_refill
-                                                                  : RayLoop::thread_per_ray;
-}
 
 // Whether a loop is that of the list: one that the host chose (null) is.
 __device__ inline bool is_chosen(RayLoop loop, const RayLoop* chosen) {

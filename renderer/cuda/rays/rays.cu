@@ -33,26 +33,20 @@ QueryReport time_rays_cuda(const DeviceFiles& files, const ResidentRays& rays, c
   return report;
 }
 
-ResidentRays upload_rays_cuda(const RayList& rays, int device) {
+std::shared_ptr<std::uint8_t> uploaded_cuda(std::span<const std::uint8_t> bytes, int device) {
   const DeviceScope scope(device);
-  struct Memory {
-    DeviceArray<std::uint8_t> rays;
-    DeviceArray<float> t;
-    DeviceArray<std::uint32_t> primitive;
-    DeviceArray<std::uint8_t> occluded;
-  };
-  const auto memory = std::make_shared<Memory>();
-  memory->rays = DeviceArray<std::uint8_t>(static_cast<const std::uint8_t*>(rays.rays),
-                                           rays.count * rays.format.bytes_per_ray());
-  memory->t = DeviceArray<float>(rays.count);
-  memory->primitive = DeviceArray<std::uint32_t>(rays.count);
-  memory->occluded = DeviceArray<std::uint8_t>(rays.count);
-  check(cudaStreamSynchronize(nullptr)); // the rays are copied
-  ResidentRays resident{RayList(memory->rays.data(), rays.count, rays.format), {}, memory};
-  resident.results.t = memory->t.data();
-  resident.results.primitive = memory->primitive.data();
-  resident.results.occluded = memory->occluded.data();
-  return resident;
+  const auto memory = std::make_shared<DeviceArray<std::uint8_t>>(bytes.data(), bytes.size());
+  check(cudaStreamSynchronize(nullptr)); // they are copied
+  return {memory, memory->data()};
+}
+
+void interpolate_cuda(const CornerValues& values, const InterpolatedHits& hits, std::size_t count, int device,
+                      void* stream) {
+  const DeviceScope scope(device);
+  for_each_on_device(count * values.width, static_cast<cudaStream_t>(stream),
+                     [=] __device__(std::uint64_t n) {
+                       hits.results[n] = interpolated(values, hits, n / values.width, n % values.width);
+                     });
 }
 
 } // namespace masu

@@ -39,21 +39,6 @@ struct StragglerQueue {
   Straggler<Real>* rays; // room for one a thread
 };
 
-// Owns what a kernel of so many warps leaves.
-template <class Real>
-class StragglerQueueMemory {
-public:
-  StragglerQueueMemory(std::uint32_t warps, const StreamMemory& memory)
-      : progress_(1, memory), rays_(std::size_t{warps} * lanes_per_warp, memory) {
-    progress_.clear();
-  }
-  StragglerQueue<Real> view() const { return {progress_.data(), rays_.data()}; }
-
-private:
-  DeviceArray<WarpProgress> progress_;
-  DeviceArray<Straggler<Real>> rays_;
-};
-
 // Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.
 __device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
   std::uint32_t before = 0;
@@ -66,25 +51,20 @@ __device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
 class DrainSignal {
 public:
   // For all lanes of a warp.
-  static __device__ void give(WarpProgress& progress) { set(signal(progress, threadIdx.x), 1); }
+  static __device__ void give(WarpProgress& progress) {
+    asm volatile("st.relaxed.gpu.u32 [%0], %1;" ::"l"(signal(progress, threadIdx.x)), "r"(1U) : "memory");
+  }
   // As poll() found it last. For all lanes of a warp.
   __device__ bool is_drained() const { return __shfl_sync(all_lanes, given_, 0) != 0; }
   __device__ void poll(WarpProgress& progress) {
-    if (threadIdx.x % lanes_per_warp == 0) given_ = read(signal(progress, blockIdx.x));
+    if (threadIdx.x % lanes_per_warp != 0) return;
+    const std::uint32_t* const word = signal(progress, blockIdx.x);
+    asm volatile("ld.relaxed.gpu.u32 %0, [%1];" : "=r"(given_) : "l"(word) : "memory");
   }
 
 private:
   static __device__ std::uint32_t* signal(WarpProgress& progress, unsigned number) {
     return &progress.drained[number % lanes_per_warp].given;
-  }
-  // Atomic, relaxed.
-  static __device__ std::uint32_t read(const std::uint32_t* word) {
-    std::uint32_t value;
-    asm volatile("ld.relaxed.gpu.u32 %0, [%1];" : "=r"(value) : "l"(word) : "memory");
-    return value;
-  }
-  static __device__ void set(std::uint32_t* word, std::uint32_t value) {
-    asm volatile("st.relaxed.gpu.u32 [%0], %1;" ::"l"(word), "r"(value) : "memory");
   }
   std::uint32_t given_ = 0;
 };

@@ -4,7 +4,6 @@
 // launch_list(): so they are compiled at the same time.
 #pragma once
 
-#include "renderer/cuda/device_method.h"
 #include "renderer/cuda/ray_batch.h"
 #include "renderer/cuda/rays/hierarchy_rays.h"
 #include "renderer/cuda/rays/warp_tracing.h"
@@ -26,32 +25,34 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   add(total, counts);
 }
 
-template <class Real, class Stored>
+template <class Real, class Stored, class Structure>
 __global__ void __launch_bounds__(rays_per_block)
-    attributes_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint64_t count,
-                      const RayResults found, const RayResults results) {
+    names_kernel(const SceneView<Stored> scene, const __grid_constant__ Structure structure,
+                 const Ray<Real>* const rays, const std::uint64_t count, const RayResults found,
+                 const RayResults results) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_per_block + threadIdx.x;
   if (i < count)
-    write_attributes(scene, NoStructure{}, streamed(rays + i), {found.t[i], found.primitive[i]}, results, i);
+    write_named(scene, seen_by(structure, i), streamed(rays + i), Hit<float>{found.t[i], found.primitive[i]},
+                results, i);
 }
 
 // Of hits in order, through any structure: one kernel for all such queries.
-template <class M, class Stored>
+template <class M, class Stored, class Structure>
 __global__ void __launch_bounds__(rays_per_block)
-    hits_kernel(const SceneView<Stored> scene, const AnyOnDevice<typename M::Real, Stored> structure,
+    hits_kernel(const SceneView<Stored> scene, const __grid_constant__ Structure structure,
                 const Ray<typename M::Real>* const rays, const RayFilters filters, const std::uint64_t count,
                 const HitRules rules, const RayResults results) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_per_block + threadIdx.x;
   if (i >= count) return;
-  write_hits<M>(scene, structure, streamed(rays + i), filters, rules, results, i);
+  write_hits<M>(scene, seen_by(structure, i), streamed(rays + i), filters, rules, results, i);
 }
 
 // `double` traces occlusion and hierarchies by a thread per ray, `fast` everything: they aren't worth their
 // kernels.
-template <Query query, class TestRay, class Structure>
-constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
-                                (std::is_same_v<TestRay, WatertightRay<double>> &&
-                                 query == Query::nearest_hit && !is_hierarchy<Structure>);
+template <class C, Query query, class TestRay, class Structure>
+constexpr bool has_loops = !C::is_counted && !std::is_same_v<TestRay, TextbookRay> &&
+                           (std::is_same_v<typename TestRay::Real, float> ||
+                            (query == Query::nearest_hit && !is_hierarchy<Structure>));
 
 // Traces by warp or warp_refill (RayLoop).
 template <Query query, class M, class Stored, class Structure>
@@ -68,33 +69,30 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Structure& g
              known_finish = files.kernels->of(finish, rays_per_block);
   const std::uint32_t blocks = std::min(blocks_of(rays_per_block, count), known.blocks),
                       finishing = std::max(blocks, known_finish.blocks);
-  const StragglerQueueMemory<Real> left(blocks * (rays_per_block / lanes_per_warp), batch.memory);
+  const DeviceArray<WarpProgress> progress(1, batch.memory);
+  progress.clear();
+  const DeviceArray<Straggler<Real>> stragglers(std::size_t{blocks} * rays_per_block, batch.memory);
+  const StragglerQueue<Real> left{progress.data(), stragglers.data()};
   const DeviceArray<std::uint32_t> chosen(refills && count >= min_rays_culled ? count : 0, batch.memory);
-  const RayQueue<Real> queue{batch.rays, count, chosen.data(), chosen.size() > 0};
+  const RayQueue<Real> queue{batch.rays, count, chosen.data()};
   batch.begin();
-  if (auto* const cull = cull_kernel<Real, Stored>; queue.may_cull)
+  if (auto* const cull = cull_kernel<Real, Stored>; chosen.size() > 0)
     launch(cull, files.kernels->of(cull, threads_per_culling_block).blocks, threads_per_culling_block, stream,
-           scene, batch.rays, count, query, batch.results, chosen.data(), left.view().progress);
+           scene, batch.rays, count, query, batch.results, chosen.data(), left.progress);
   const int fetching = refills ? some_fetch : all_fetch;
-  launch(trace, blocks, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
-  launch(finish, finishing, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
+  launch(trace, blocks, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left);
+  launch(finish, finishing, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left);
   return known.size;
 }
 
-// A part of a list that warps can number, from ray `first` on.
+// Parts of a list that warps can number.
 template <class Real>
-struct RayPart {
-  std::uint64_t first;
-  std::uint32_t count;
-  const Ray<Real>* rays;
-  RayResults results;
-};
-template <class Real>
-std::vector<RayPart<Real>> parts_of(const RayBatch<Real>& batch) {
-  std::vector<RayPart<Real>> parts;
+std::vector<RayBatch<Real>> parts_of(const RayBatch<Real>& batch) {
+  std::vector<RayBatch<Real>> parts;
   for (std::uint64_t first = 0; first < batch.count; first += max_rays_by_warps) {
-    const auto count = static_cast<std::uint32_t>(std::min(batch.count - first, max_rays_by_warps));
-    RayPart<Real>& part = parts.emplace_back(first, count, batch.rays + first, batch.results);
+    RayBatch<Real>& part = parts.emplace_back(batch);
+    part.rays += first;
+    part.count = std::min(batch.count - first, max_rays_by_warps);
     for_each_array(part.results, [&](auto*& array) {
       if (array != nullptr) array += first;
     });
@@ -110,9 +108,11 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
   using Real = typename M::Real;
   const SceneView<Stored>& scene = files.scene.view;
   const cudaStream_t stream = batch.memory.stream;
-  if (loop == RayLoop::automatic && batch.count < min_rays_looked_at) loop = loop_of_few(query, batch.count);
+  if (loop == RayLoop::automatic && batch.count < min_rays_looked_at)
+    loop = query == Query::nearest_hit && batch.count >= min_rays_fetched ? RayLoop::warp_refill
+                                                                          : RayLoop::thread_per_ray;
   const bool chooses = loop == RayLoop::automatic, fetches = chooses || loop == RayLoop::warp_refill;
-  const std::vector<RayPart<Real>> parts = parts_of(batch);
+  const std::vector<RayBatch<Real>> parts = parts_of(batch);
   const DeviceArray<RayLoop> chosen(chooses ? 1 : 0, batch.memory);
   const DeviceArray<std::uint32_t> fetched(fetches ? parts.size() : 0, batch.memory); // rays of each part
   if (!chooses) fetched.clear();
@@ -126,9 +126,10 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
              static_cast<std::uint32_t>(fetched.size()));
     if (chooses || !fetches) {
       size = files.kernels->of(kernel, rays_per_block).size;
-      for (const RayPart<Real>& part : parts)
+      for (const RayBatch<Real>& part : parts)
         launch(kernel, blocks_of(rays_per_block, part.count), rays_per_block, stream, scene,
-               from_ray(hierarchy, part.first), part.rays, part.count, part.results, chosen.data());
+               from_ray(hierarchy, part.rays - batch.rays), part.rays, static_cast<std::uint32_t>(part.count),
+               part.results, chosen.data());
     }
   }
   if (!fetches) return size;
@@ -136,8 +137,8 @@ KernelSize trace_by_hierarchy(const DeviceFilesOf<Stored>& files, const Hierarch
   const auto known = files.kernels->of(kernel, rays_per_block);
   for (std::size_t i = 0; i < parts.size(); ++i)
     launch(kernel, std::min(blocks_of(rays_per_block, parts[i].count), known.blocks), rays_per_block, stream,
-           scene, from_ray(hierarchy, parts[i].first), parts[i].rays, parts[i].count, parts[i].results,
-           fetched.data() + i, chosen.data());
+           scene, from_ray(hierarchy, parts[i].rays - batch.rays), parts[i].rays,
+           static_cast<std::uint32_t>(parts[i].count), parts[i].results, fetched.data() + i, chosen.data());
   return known.size;
 }
 
@@ -153,10 +154,6 @@ KernelSize trace_by_threads(const DeviceFilesOf<Stored>& files, const Structure&
   return size;
 }
 
-template <class C, Query query, class M, class Structure>
-constexpr bool has_loops =
-    std::is_same_v<C, NoCounts>&& has_warp_loops<query, typename M::TestRay, Structure>;
-
 // How a list goes through each structure, by the loop that is asked for where that has kernels; automatic is
 // chosen on the device through a hierarchy, elsewhere warp_refill:
 //
@@ -169,7 +166,7 @@ template <Query query, class M, class C, class Stored, class Structure>
 KernelSize trace_list(const DeviceFilesOf<Stored>& files, const Structure& structure, RayLoop loop,
                       const RayBatch<typename M::Real>& batch) {
   using Real = typename M::Real;
-  constexpr bool loops = has_loops<C, query, M, Structure>;
+  constexpr bool loops = has_loops<C, query, typename M::TestRay, Structure>;
   const bool by_warps = loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps;
   if constexpr (loops && is_hierarchy<Structure>) {
     return trace_by_hierarchy<query, M>(files, structure, loop, batch);
@@ -191,15 +188,13 @@ KernelSize trace_list(const DeviceFilesOf<Stored>& files, const Structure& struc
 }
 
 // Hits in order (hit_list.h).
-template <class TestRay, class Stored>
-KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const HitRules& rules, const RayFilters& filters,
-                       const RayBatch<typename TestRay::Real>& batch) {
-  using Real = typename TestRay::Real;
-  auto* const kernel = hits_kernel<OnDevice<Method<TestRay, with_all_kinds>>, Stored>;
+template <class TestRay, class Stored, class Structure>
+KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const Structure& structure, const HitRules& rules,
+                       const RayFilters& filters, const RayBatch<typename TestRay::Real>& batch) {
+  auto* const kernel = hits_kernel<OnDevice<Method<TestRay, with_all_kinds>>, Stored, Structure>;
   batch.begin();
   launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.memory.stream,
-         files.scene.view, files.on_device(any_structure<Real>(files.structure.records)), batch.rays, filters,
-         batch.count, rules, batch.results);
+         files.scene.view, structure, batch.rays, filters, batch.count, rules, batch.results);
   return files.kernels->of(kernel, rays_per_block).size;
 }
 
@@ -207,11 +202,13 @@ KernelSize launch_hits(const DeviceFilesOf<Stored>& files, const HitRules& rules
 template <class Real, class Stored>
 const Ray<Real>* converted(const RayList& list, const Box<Stored>& box, const StreamMemory& memory,
                            DeviceArray<Ray<Real>>& copy) {
-  if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
-    return static_cast<const Ray<Real>*>(list.rays);
-  copy = DeviceArray<Ray<Real>>(list.count, memory);
   const void* const rays = list.rays;
   const RayFormat format = list.format;
+  const bool is_own = format.is_float64 == (sizeof(Real) == sizeof(double)) && format.numbers == 8 &&
+                      format.origin == Vec3d{0, 0, 0};
+  if (is_own && reinterpret_cast<std::uintptr_t>(rays) % alignof(Ray<Real>) == 0)
+    return static_cast<const Ray<Real>*>(rays);
+  copy = DeviceArray<Ray<Real>>(list.count, memory);
   Ray<Real>* const to = copy.data();
   for_each_on_device(list.count, memory.stream,
                      [=] __device__(std::uint64_t i) { to[i] = listed_ray<Real>(rays, format, i, box).ray; });
@@ -254,7 +251,9 @@ KernelSize launch_list(const DeviceFiles& device_files, const RayList& list, con
   KernelSize size{};
   if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
     if (is_placed) size = launch_placed<TestRay>(files, list, request, batch, results);
-    if (in_order && !is_placed) size = launch_hits<TestRay>(files, hit_rules(request), list.filters, batch);
+    if (in_order && !is_placed)
+      size = launch_hits<TestRay>(files, files.on_device(any_structure<Real>(files.structure.records)),
+                                  hit_rules(request), list.filters, batch);
   }
   if (!in_order && !is_placed)
     size = with_method<TestRay, Stored>(
@@ -265,8 +264,8 @@ KernelSize launch_list(const DeviceFiles& device_files, const RayList& list, con
                      : trace_list<Query::nearest_hit, M, C>(files, structure, request.loop, batch);
         });
   if (is_named && !is_placed)
-    launch(attributes_kernel<Real, Stored>, blocks_of(rays_per_block, batch.count), rays_per_block,
-           memory.stream, scene, batch.rays, batch.count, batch.results, results);
+    launch(names_kernel<Real, Stored, NoStructure>, blocks_of(rays_per_block, batch.count), rays_per_block,
+           memory.stream, scene, NoStructure{}, batch.rays, batch.count, batch.results, results);
   if (request.query != Query::occlusion)
     launch_to_list<Real>(list, scene.clip, results, hit_rules(request).row(), memory);
   return size;

@@ -78,19 +78,11 @@ struct LaneWalk {
   Real end;          // of the segment
   std::uint32_t ray; // whose segment it is
   bool under_way;
-
-  // What is left to go, as far as a hit may still be nearer, in so many segments of equal length. They are
-  // worth being walked apart if none is shorter than a voxel.
-  template <class TestRay>
-  __device__ Real segment_length(const Structure& grid, const WarpRays<TestRay>& rays, int segments) const {
-    const Real to = fast_min(end, fast_min(walk.end(grid), rays.nearest[ray].get().t));
-    return (to - walk.exit) / static_cast<Real>(segments);
-  }
-  __device__ bool is_worth_while(Real length) const { return length * walk.speed() > 1; }
 };
 
-// Cuts what the walks under way have still to go, of which there are at most half as many as lanes, into as
-// many segments of equal length as there are lanes for each; but into none shorter than a voxel.
+// Cuts what the walks under way have still to go, as far as a hit may still be nearer, into as many segments
+// of equal length as there are lanes for each; but into none shorter than a voxel. There are at most half as
+// many walks as lanes.
 template <class TestRay, class Structure>
 __device__ inline void split_segments(const Structure& grid, unsigned under_way, WarpRays<TestRay>& rays,
                                       LaneWalk<typename TestRay::Real, Structure>& own) {
@@ -110,8 +102,10 @@ __device__ inline void split_segments(const Structure& grid, unsigned under_way,
   walk.z = from_lane(walk.z, source);
   walk.exit = from_lane(walk.exit, source);
   own.under_way = of < walks;
-  const Real from = walk.exit, step = own.segment_length(grid, rays, 1 << log2);
-  if (!own.is_worth_while(step)) {
+  const Real from = walk.exit,
+             to = fast_min(own.end, fast_min(walk.end(grid), rays.nearest[own.ray].get().t)),
+             step = (to - from) / static_cast<Real>(1 << log2);
+  if (!(step * walk.speed() > 1)) {
     own.under_way = own.under_way && segment == 0;
     return;
   }

@@ -61,10 +61,10 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Structur
     }
     const PrimitiveIndex primitive = reference & ~last_bit;
     Real t = 0;
-    const bool nearer =
-        tests &&
-        intersect<M::kinds>(scene, rays.tests[part.ray], primitive, rays.ends[part.ray].t_min, t, counts) &&
-        is_nearer(t, primitive, rays.nearest[part.ray].get());
+    const bool nearer = tests &&
+                        test_primitive<M::kinds>(scene, rays.tests[part.ray], primitive,
+                                                 rays.ends[part.ray].t_min, t, counts) &&
+                        is_nearer(t, primitive, rays.nearest[part.ray].get());
     if (!alone) {
       rays.nearest[part.ray].lower(nearer, {t, primitive});
     } else if (nearer) {
@@ -97,7 +97,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   } shared;
   if constexpr (!finishes) {
     if (threadIdx.x == 0) {
-      const bool culls = queue.may_cull && left.progress->culls != 0;
+      const bool culls = queue.chosen != nullptr && left.progress->culls != 0;
       shared = {culls ? queue.chosen : nullptr, culls ? left.progress->chosen : queue.count,
                 culls ? some_fetch_chosen : fetching};
     }

@@ -2,7 +2,7 @@
 // the pixels that are, against double arithmetic on float64 coordinates.
 #pragma once
 
-#include "renderer/precision.h"
+#include "renderer/tracing_rules.h"
 #include "stability/test_scene.h"
 
 #include <functional>

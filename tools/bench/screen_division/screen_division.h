@@ -42,9 +42,9 @@ MASU_HD inline TileRun run_of(ScreenDivision division, std::uint32_t worker, std
   return {begin(worker), begin(std::uint64_t{worker} + 1), 1};
 }
 
-// Renders as ResidentTracer::render does, by `robust` arithmetic through the code for every kind of
-// primitive: the picture alone, without hits, counts and costs. workers_each: workers a multiprocessor or
-// thread; 0: as many as run at once. Throws Error(usage) for a float64 scene, Error(device).
+// Renders a float32 scene as ResidentTracer::render does, by `robust` arithmetic through the code for every
+// kind of primitive: the picture alone, without hits, counts and costs. workers_each: workers a
+// multiprocessor or thread; 0: as many as run at once. Throws Error(device).
 struct DividedFrame {
   Frame frame;
   std::uint32_t workers = 0;

@@ -1,4 +1,3 @@
-#include "libscene/base/error.h"
 #include "libscene/base/stopwatch.h"
 #include "renderer/dispatch.h"
 #include "tools/bench/screen_division/screen_division.h"
@@ -42,7 +41,6 @@ void render_tiles(const SceneView<float>& scene, const Lighting<float>& lighting
 
 DividedFrame render_divided_cpu(const SceneFile& scene, const StructureFile& grid,
                                 const FrameRequest& request, ScreenDivision division, int workers_each) {
-  if (scene.is_float64()) throw Error(ErrorCode::usage, scene.path(), "is float64: divide a float32 scene");
   const std::size_t threads = allowed_threads();
   DividedFrame divided{
       picture_frame(request),
@@ -63,7 +61,7 @@ DividedFrame render_divided_cpu(const SceneFile& scene, const StructureFile& gri
         tbb::static_partitioner());
     divided.frame.seconds.trace = watch.seconds();
   };
-  grid.is_merged() ? render(grid.merged_view<float>()) : render(grid.view<float>());
+  grid.is_merged() ? render(merged_view_of<float>(grid.records())) : render(view_of<float>(grid.records()));
   return divided;
 }
 

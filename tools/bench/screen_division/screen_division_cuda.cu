@@ -44,7 +44,6 @@ __global__ void __launch_bounds__(division_tile_side* division_tile_side,
 
 DividedFrame render_divided_cuda(const SceneFile& scene, const StructureFile& grid,
                                  const FrameRequest& request, ScreenDivision division, int workers_each) {
-  if (scene.is_float64()) throw Error(ErrorCode::usage, scene.path(), "is float64: divide a float32 scene");
   DividedFrame divided{picture_frame(request), 0};
   Frame& frame = divided.frame;
   const MemoryPool pool;
@@ -62,11 +61,11 @@ DividedFrame render_divided_cuda(const SceneFile& scene, const StructureFile& gr
     divided.workers =
         std::min(tiles.count, resident_blocks(kernel, division_tile_side * division_tile_side, workers_each));
     frame.kernel = load(kernel);
-    frame.seconds.trace = timed(nullptr, [&] {
-      launch(kernel, divided.workers, dim3(division_tile_side, division_tile_side), nullptr, files.scene.view,
-             files.scene.lighting, view, rays, request.rules, tiles, division,
-             division == ScreenDivision::persistent ? next_tile.data() : nullptr, colors.data());
-    });
+    const DeviceTimer timer;
+    launch(kernel, divided.workers, dim3(division_tile_side, division_tile_side), nullptr, files.scene.view,
+           files.scene.lighting, view, rays, request.rules, tiles, division,
+           division == ScreenDivision::persistent ? next_tile.data() : nullptr, colors.data());
+    frame.seconds.trace = timer.seconds();
   };
   const StructureRecords& records = *files.structure.records;
   records.is_merged ? render(merged_view_of<float>(records)) : render(view_of<float>(records));

@@ -7,6 +7,7 @@ accuracy_tables.py RESULTS.json --into FILE…     puts each that was measured b
 accuracy_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of accuracy.sh's working folder first
 """
 import csv
+import itertools
 
 from measured import STANDARD, head, made_by, run_script, table
 
@@ -37,10 +38,6 @@ def of(rows, sweep, **columns):
     return [row for row in rows if row["sweep"] == sweep and all(row[key] == value for key, value in columns.items())]
 
 
-def has_embree(rows):
-    return {row["sweep"] for row in rows if row["mode"] == "embree"}
-
-
 # --- Texts
 
 def number(value):
@@ -60,13 +57,8 @@ def span(steps):
 
 def spans(steps, among):
     """Steps in words: runs of those that are neighbours among all."""
-    runs = []
-    for step in steps:
-        if runs and among.index(step) == among.index(runs[-1][-1]) + 1:
-            runs[-1].append(step)
-        else:
-            runs.append([step])
-    return ", ".join(span(run) for run in runs)
+    runs = itertools.groupby(enumerate(steps), lambda pair: among.index(pair[1]) - pair[0])
+    return ", ".join(span([step for _, step in run]) for _, run in runs)
 
 
 def failures(rows):

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-from accuracy_tables import failed, has_embree, picture_rows, sweep_rows
+from accuracy_tables import failed, picture_rows, sweep_rows
 from measured import KINDS
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "charts"
@@ -56,7 +56,7 @@ def plot_rows(script, folder, head, rows, **variables):
 def write_accuracy(results, folder):
     """The rows of the charts of accuracy.md."""
     rows = sweep_rows(results)
-    beside = has_embree(rows)
+    beside = {row["sweep"] for row in rows if row["mode"] == "embree"}
     kept = {name: [] for name in ACCURACY}
     for row in rows:
         if row["store"] == "float32" and row["mode"] != "first-cell-hit":

@@ -100,13 +100,6 @@ def made_by(makers, without_gpu=()):
     return made
 
 
-def labelled(text, machine):
-    """A table with the commit and the machine that it is from."""
-    if not text.startswith("|"):
-        return text
-    return f"Commit {machine['commit']}, {machine.get('device', machine['cpu'])}:\n\n{text}"
-
-
 def run_script(description, tables, gather_more=lambda results, folder: None):
     """tables(results): texts by name; gather_more(results, folder): what there is beside commands."""
     options = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -119,7 +112,9 @@ def run_script(description, tables, gather_more=lambda results, folder: None):
         gather_more(results, given.gather)
         given.results.write_text(json.dumps(results, indent=1) + "\n")
     results = json.loads(given.results.read_text())
-    made = {name: labelled(text, results["machine"]) for name, text in tables(results).items()}
+    machine = results["machine"]
+    origin = f"Commit {machine['commit']}, {machine.get('device', machine['cpu'])}:\n\n"  # of tables
+    made = {name: origin + text if text.startswith("|") else text for name, text in tables(results).items()}
     mark = re.compile(r"(<!-- table (\w+) -->\n).*?\n?(<!-- end -->)", re.DOTALL)
 
     def why_stays(found):

@@ -90,7 +90,6 @@ views() {
   rm -f view-*.png
 }
 
-
 # What `gridbuild --structure fastest` may consider, and the rates of rays through each.
 choice() {
   local scene name i structure division options

@@ -20,14 +20,9 @@ from measured import KINDS, STANDARD, figure, head, made_by, run_script, table
 LARGE = "teapot-60 mount-10-triangles tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
 
 
-def peer_rates():
-    lines = (pathlib.Path(__file__).parent / "peers.tsv").read_text().splitlines()
-    head, *rows = [line.split("\t") for line in lines if not line.startswith("#")]
-    return {scene: {name: [float(n) for n in cell.split()] for name, cell in zip(head[1:], cells)}
-            for scene, *cells in rows}
-
-
-PEERS = peer_rates()
+(_, *peers), *rates_of_peers = [line.split("\t") for line in (pathlib.Path(__file__).parent / "peers.tsv").read_text().splitlines()
+                                if line[0] != "#"]
+PEERS = {scene: {name: [float(n) for n in cell.split()] for name, cell in zip(peers, cells)} for scene, *cells in rates_of_peers}
 # By triangles: milliseconds to prepare and million rays per second, by cuBQL's two builders.
 ANSWERS = {row[0]: row[1:] for row in map(str.split, (pathlib.Path(__file__).parent / "answers.tsv").read_text().splitlines())
            if row[0] != "#"}

@@ -1,8 +1,7 @@
-#include "tools/bench/tradeoff/tradeoff_measure.h"
-
 #include "libscene/geometry/margin.h"
 #include "renderer/rays/automatic_loop.h"
 #include "stability/ray_sets.h"
+#include "tools/bench/tradeoff/tradeoff.h"
 #include "tools/common/cli.h"
 #include "tools/common/repeated.h"
 
@@ -47,10 +46,7 @@ RayHits trace(const TradeoffTask& task, const ResidentTracer& tracer, const Trac
 
 Frame render(const TradeoffTask& task, const ResidentTracer& tracer, const TracingRules& rules,
              std::uint64_t repeat) {
-  FrameRequest request;
-  request.tracing = rules;
-  request.camera = task.picture;
-  request.sampling = Sampling::centers;
+  const FrameRequest request{.tracing = rules, .camera = task.picture, .sampling = Sampling::centers};
   return traced(task.setup, repeat, [&] { return tracer.render(request); });
 }
 
@@ -62,21 +58,14 @@ void add_some(const std::vector<T>& all, std::uint64_t wanted, std::vector<T>& s
     some.push_back(all[i * all.size() / count]);
 }
 
-// Whether two hits of a ray are equal to within the error of float32 arithmetic: the bound on a hit's
-// distance from the surface (libscene/geometry/margin.h), and t's rounding.
-class SameHit {
-public:
-  explicit SameHit(const SceneFile& scene) : margin_(rounding_margin<float>(scene.bounds())) {}
-  bool operator()(const Ray<double>& ray, double t, double other) const {
-    return std::abs(t - other) <= margin_ / length(ray.direction) + 0x1p-23 * other;
-  }
-
-private:
-  double margin_;
-};
-
-void compare_hits(const TradeoffTask::Reference& reference, const std::vector<HitRecord>& hits,
-                  const SameHit& same, Accuracy& accuracy) {
+void compare_hits(const TradeoffTask& task, const std::vector<HitRecord>& hits, Accuracy& accuracy) {
+  const TradeoffTask::Reference& reference = task.reference;
+  // Whether two hits of a ray are equal to within the error of float32 arithmetic: the bound on a hit's
+  // distance from the surface (libscene/geometry/margin.h), and t's rounding.
+  const double margin = rounding_margin<float>(task.scene.bounds());
+  const auto same = [&](const Ray<double>& ray, double t, double other) {
+    return std::abs(t - other) <= margin / length(ray.direction) + 0x1p-23 * other;
+  };
   std::vector<double> errors; // of t, relative
   accuracy.rays = hits.size();
   for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -154,7 +143,7 @@ Measurement measure(const TradeoffTask& task, const StructureFile& grid, const C
   std::vector<HitRecord> hits;
   add_some(primary.hits, task.setup.compared, hits);
   add_some(random.hits, task.setup.compared, hits);
-  compare_hits(task.reference, hits, SameHit(task.scene), measured.accuracy);
+  compare_hits(task, hits, measured.accuracy);
   compare_pictures(task.reference.radiance, frame.radiance, measured.accuracy);
   return measured;
 }

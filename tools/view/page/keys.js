@@ -75,8 +75,7 @@ function keyOfPage(event) {
   else if (event.key === 'v' && !state.plane) toggleCompare();
   else if (event.key === 'q') setGuess(!state.guess);
   else if (event.key === 'Home') setCamera(ownCamera(state.scene));
-  else if (event.key === ',' && walkPanel.move(-1)) { /* a step back */ }
-  else if (event.key === '.' && walkPanel.move(1)) { /* a step on */ }
+  else if ([',', '.'].includes(event.key) && walkPanel.move(event.key === '.' ? 1 : -1)) { /* a step back or on */ }
   // What has keys of its own keeps them; Enter presses what is focused.
   else if (panes.length > 0 && !event.target.closest('.stage, .scroll') && (event.key !== 'Enter' || event.target === document.body) &&
            keyOfPicture(panes[0], event)) { /* the first picture's */ }

@@ -15,8 +15,7 @@ const state = {
   pointer: null,         // over a picture: shares of it
   picking: null,         // the cross hair: {pane, x, y}, shares of the picture
 };
-let slicePanel = null, walkPanel = null, planeView = null, colors = null, listColors = null, scales = null;
-let source = null;
+let slicePanel = null, walkPanel = null, planeView = null, colors = null, listColors = null, scales = null, source = null;
 
 const fragment = () => writeAddress(state.scene, state, scales.kind, walkPanel || {}, planeView?.zoom);
 let addressTimer = 0;

@@ -310,7 +310,7 @@ class PlaneView {
       plot.showCost(costs[i], cost, highest);
       plot.sentence.textContent = walkPanel.sentenceOf(grid);
       plot.sentence.hidden = !plot.sentence.textContent;
-      plot.counts.textContent = ray ? this.progress(ray, step, last, visited(this.scene.grids[grid])) + walkPanel.guessOf(grid) : '';
+      plot.counts.textContent = ray ? this.progress(ray, step, last, visited(this.scene.grids[grid]), costs[i].tests) + walkPanel.guessOf(grid) : '';
       plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${ray ? `${plot.counts.textContent}. ${plot.costText.textContent}. ` : ''}Arrow keys move the ray’s end, with Shift its origin${walkPanel.isAsking ? ', Enter leads to the guess' : ''}.`);
     });
   }
@@ -321,10 +321,9 @@ class PlaneView {
     return {tests: ray.steps.slice(0, step + 1).reduce((sum, {tests}) => sum + tests.length, 0), steps: stepsOf(grid, step + 1)};
   }
 
-  progress(ray, step, last, what) {
+  progress(ray, step, last, what, tests) {
     const all = `${counted(ray.cells, what)}, ${counted(ray.tests, 'test')}`;
     if (step >= ray.steps.length - 1) return step < last && step > ray.steps.length - 1 ? `${all}: ended` : all;
-    const tests = ray.steps.slice(0, step + 1).reduce((sum, one) => sum + one.tests.length, 0);
     const {node} = ray.steps[step];
     const boxes = node ? `; boxes: ${node.boxes_met} met, ${node.boxes_missed} missed, ${node.boxes_beyond} beyond the hit` : '';
     return `${what} ${step + 1} of ${Text.count(ray.cells)}: ${counted(ray.steps[step].tests.length, 'test')}, ${Text.count(tests)} so far${boxes}`;

@@ -1,25 +1,83 @@
-#include "libscene/mesh/import/import_view.h"
+#include "libscene/mesh/import/assimp_scene.h"
 
 #include "libscene/automatic_camera.h"
-#include "libscene/mesh/import/import_transform.h"
+#include "libscene/mesh/files/file_material.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/commonMetaData.h>
+#include <assimp/material.h>
 #include <assimp/version.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string_view>
 
 namespace masu::import {
 namespace {
 
+// --- Materials -------------------------------------------------------------------------------------------
+
+// A material's property as Assimp's key macros name it: key, type, index.
+std::optional<float> number(const aiMaterial& m, const char* key, unsigned type, unsigned index) {
+  ai_real value = 0;
+  if (m.Get(key, type, index, value) != AI_SUCCESS) return {};
+  return value;
+}
+std::optional<Vec3f> color(const aiMaterial& m, const char* key, unsigned type, unsigned index) {
+  aiColor3D c;
+  if (m.Get(key, type, index, c) != AI_SUCCESS) return {};
+  return Vec3f{clamped(c.r, 0, 1), clamped(c.g, 0, 1), clamped(c.b, 0, 1)};
+}
+
+float opacity(const aiMaterial& m) {
+  return clamped(number(m, AI_MATKEY_OPACITY).value_or(1), 0, 1);
+}
+
+Material phong(const aiMaterial& m) {
+  const Vec3f specular = color(m, AI_MATKEY_COLOR_SPECULAR).value_or(Vec3f{0, 0, 0});
+  return phong_material({.color = color(m, AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3f{1, 1, 1}),
+                         .mirror = clamped(number(m, AI_MATKEY_REFLECTIVITY).value_or(0), 0, 1) *
+                                   mean(color(m, AI_MATKEY_COLOR_REFLECTIVE).value_or(specular)),
+                         .shine = number(m, AI_MATKEY_SHININESS).value_or(0),
+                         .opacity = opacity(m),
+                         .refraction_index = number(m, AI_MATKEY_REFRACTI).value_or(1)});
+}
+
+float transmittance(const aiMaterial& m, float metalness) {
+  aiString mode;
+  if (const auto transmission = number(m, AI_MATKEY_TRANSMISSION_FACTOR); transmission && *transmission > 0)
+    return clamped(*transmission, 0, 1) * (1 - metalness);
+  if (m.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == AI_SUCCESS && std::string_view(mode.C_Str()) != "BLEND")
+    return 0;
+  return 1 - opacity(m);
+}
+
+Material metallic(const aiMaterial& m, float metalness, float roughness) {
+  const bool refracts = number(m, AI_MATKEY_TRANSMISSION_FACTOR).value_or(0) > 0;
+  const float index = number(m, AI_MATKEY_REFRACTI).value_or(1.5F);
+  return metallic_material(
+      color(m, AI_MATKEY_BASE_COLOR).value_or(color(m, AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3f{1, 1, 1})),
+      metalness, roughness, transmittance(m, metalness),
+      !refracts                   ? 1
+      : index >= 1 && index <= 10 ? index
+                                  : 1.5F);
+}
+
+// --- Camera and lights -----------------------------------------------------------------------------------
+
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::int32_t default_height = 512, max_pixels = 65536;
 
+// From the named node's coordinates to the scene's.
 Transform transform_of(const aiScene& file, const aiString& name) {
-  const aiNode* const node = file.mRootNode->FindNode(name);
-  return node != nullptr ? global_transform(*node) : Transform{};
+  const aiNode* node = file.mRootNode->FindNode(name);
+  if (node == nullptr) return {};
+  Transform transform = import::transform_of(node->mTransformation);
+  while ((node = node->mParent) != nullptr)
+    transform = import::transform_of(node->mTransformation) * transform;
+  return transform;
 }
 
 // The vertical angle in degrees of a camera with that aspect ratio (width / height).
@@ -89,6 +147,20 @@ std::optional<Light<double>> imported_light(const aiScene& file, const aiLight& 
 }
 
 } // namespace
+
+bool has_textures(const aiMaterial& m) {
+  for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type)
+    if (m.GetTextureCount(static_cast<aiTextureType>(type)) > 0) return true;
+  return false;
+}
+
+FileMaterial imported_material(const aiMaterial& m) {
+  const auto metalness = number(m, AI_MATKEY_METALLIC_FACTOR),
+             roughness = number(m, AI_MATKEY_ROUGHNESS_FACTOR);
+  const bool is_metallic = metalness || roughness;
+  return {is_metallic ? metallic(m, clamped(metalness.value_or(0), 0, 1), roughness.value_or(1)) : phong(m),
+          is_metallic};
+}
 
 bool is_format(const aiScene& file, const char* format) {
   aiString name;
