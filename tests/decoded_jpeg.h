@@ -3,7 +3,6 @@
 
 #include "tests/temporary_folder.h"
 
-#include <gtest/gtest.h>
 #include <turbojpeg.h>
 
 #include <algorithm>

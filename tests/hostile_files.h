@@ -189,6 +189,12 @@ using WrongGrid = Wrong<GridParts>;
 inline WrongGrid word(const char* name, fb::StructureSection kind, std::size_t i, std::uint32_t value) {
   return {name, [=](GridParts& p) { p.set(kind, i, value); }};
 }
+inline WrongGrid in_map(const char* name, std::size_t i, std::uint32_t value) {
+  return word(name, fb::StructureSection::voxel_map, i, value);
+}
+inline WrongGrid in_lists(const char* name, std::size_t i, std::uint32_t value) {
+  return word(name, fb::StructureSection::references, i, value);
+}
 inline WrongGrid without(const char* name, fb::StructureSection kind) {
   return {name, [kind](GridParts& p) { p.drop(kind); }};
 }

@@ -4,7 +4,6 @@
 
 #include "libscene/geometry/ray.h"
 #include "stability/same_bits.h"
-#include "stability/test_scene.h"
 #include "tests/random_grid.h"
 
 namespace masu {

@@ -11,9 +11,9 @@ template <class Stored>
 void add_triangles(TestScene<Stored>& scene, Chance& chance, int count, double size, double crowd = 1) {
   for (int i = 0; i < count; ++i) {
     const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? crowd : 1.0);
-    const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
-    const Vec3<Stored> a = corner(), b = corner(), c = corner();
-    scene.triangles.push_back(triangle_of(a, b, c));
+    const auto corner = [&] { return at + chance.in_cube(size); };
+    const Vec3d a = corner(), b = corner(), c = corner();
+    scene.add(triangle_of<Stored>(a, b, c));
   }
 }
 
@@ -27,15 +27,13 @@ TestScene<Stored> scattered_scene(Chance& chance, int most) {
     const auto corner = [&] { return at + chance.in_cube(size); };
     switch (chance.whole(0, 2)) {
     case 0:
-      scene.triangles.push_back(
-          triangle_of(cast<Stored>(corner()), cast<Stored>(corner()), cast<Stored>(corner())));
+      scene.add(triangle_of<Stored>(corner(), corner(), corner()));
       break;
     case 1:
-      scene.spheres.push_back(sphere_of<Stored>(at, size));
+      scene.add(sphere_of<Stored>(at, size));
       break;
     default:
-      scene.cones.push_back(cone_of<Stored>(corner(), size, corner(), size / 2));
-      break;
+      scene.add(cone_of<Stored>(corner(), size, corner(), size / 2));
     }
   }
   return scene;
@@ -70,37 +68,17 @@ public:
   }
 
   TestScene<Stored> scene() {
-    switch (chance_.whole(0, 10)) {
-    case 0:
-      return clustered();
-    case 1:
-      return doubled();
-    case 2:
-      return coplanar();
-    case 3:
-      return floor_with_crumbs();
-    case 4:
-      return on_a_raster();
-    case 5:
-      return flat();
-    case 6:
-      return mesh();
-    case 7:
-      return needles();
-    case 8:
-      return pointed();
-    case 9:
-      return single();
-    default:
-      return mixed(at_, scale_);
-    }
+    using Self = SceneMaker;
+    const auto make = chance_.one_of({&Self::clustered, &Self::doubled, &Self::coplanar,
+                                      &Self::floor_with_crumbs, &Self::on_a_raster, &Self::flat, &Self::mesh,
+                                      &Self::needles, &Self::pointed, &Self::single, &Self::mixture});
+    return (this->*make)();
   }
 
   // Triangles and small objects: fast to build, even with fine grids.
   TestScene<Stored> fine() {
     TestScene<Stored> scene = floor_with_crumbs();
-    const TestScene<Stored> sheet = mesh();
-    scene.triangles.insert(scene.triangles.end(), sheet.triangles.begin(), sheet.triangles.end());
+    scene.add(mesh());
     return scene;
   }
 
@@ -139,12 +117,11 @@ private:
   Vec3d near(const Vec3d& at, double size) { return at + chance_.in_cube(size); }
 
   void add_triangle(TestScene<Stored>& scene, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    scene.triangles.push_back(triangle_of(cast<Stored>(a), cast<Stored>(b), cast<Stored>(c)));
+    scene.add(triangle_of<Stored>(a, b, c));
   }
   void add_cone(TestScene<Stored>& scene, const Vec3d& base, double r0, const Vec3d& apex, double r1) {
     const Cone<Stored> cone = cone_of<Stored>(base, r0, apex, r1);
-    if (cone.base != cone.apex && (cone.base_radius != 0 || cone.apex_radius != 0))
-      scene.cones.push_back(cone);
+    if (cone.base != cone.apex && (cone.base_radius != 0 || cone.apex_radius != 0)) scene.add(cone);
   }
 
   // Up to so many triangles across an axis.
@@ -167,16 +144,17 @@ private:
       const Vec3d here = near(at, size);
       if ((kinds & 1) != 0) add_triangle(scene, near(here, own), near(here, own), near(here, own));
       if ((kinds & 1) != 0 && chance_.one_in(4)) add_triangle(scene, here, here, here); // which nothing hits
-      if ((kinds & 2) != 0) scene.spheres.push_back(sphere_of<Stored>(here, inside * own));
+      if ((kinds & 2) != 0) scene.add(sphere_of<Stored>(here, inside * own));
       if ((kinds & 4) != 0)
         add_cone(scene, near(here, own), inside * own * chance_.one_of({0.1, 0.5, 1.0}), near(here, own),
                  inside * own * chance_.one_of({0.0, 0.1, 0.5}));
     }
     return scene;
   }
+  TestScene<Stored> mixture() { return mixed(at_, scale_); }
   // One primitive.
   TestScene<Stored> single() {
-    TestScene<Stored> scene = mixed(at_, scale_);
+    TestScene<Stored> scene = mixture();
     const auto keep = [](auto& primitives, std::size_t most) {
       while (primitives.size() > most)
         primitives.pop_back();
@@ -186,16 +164,13 @@ private:
     return scene;
   }
   TestScene<Stored> clustered() {
-    TestScene<Stored> scene = mixed(at_, scale_);
-    const TestScene<Stored> cluster = mixed(near(at_, scale_), scale_ * chance_.power_of_two(-16, -4));
-    scene.triangles.insert(scene.triangles.end(), cluster.triangles.begin(), cluster.triangles.end());
-    scene.spheres.insert(scene.spheres.end(), cluster.spheres.begin(), cluster.spheres.end());
-    scene.cones.insert(scene.cones.end(), cluster.cones.begin(), cluster.cones.end());
+    TestScene<Stored> scene = mixture();
+    scene.add(mixed(near(at_, scale_), scale_ * chance_.power_of_two(-16, -4)));
     return scene;
   }
   // Every primitive twice or more, so that hits are ties.
   TestScene<Stored> doubled() {
-    TestScene<Stored> scene = mixed(at_, scale_);
+    TestScene<Stored> scene = mixture();
     repeat_primitives(scene, chance_.whole(1, 3));
     return scene;
   }
@@ -224,8 +199,7 @@ private:
     };
     for (int i = chance_.whole(2, 20); i > 0; --i) {
       add_triangle(scene, corner(), corner(), corner());
-      if (chance_.one_in(3))
-        scene.spheres.push_back(sphere_of<Stored>(corner() * 0.5, unit * chance_.whole(1, 2)));
+      if (chance_.one_in(3)) scene.add(sphere_of<Stored>(corner() * 0.5, unit * chance_.whole(1, 2)));
       if (chance_.one_in(3))
         add_cone(scene, corner() * 0.5, unit, corner() * 0.5, unit * chance_.whole(0, 1));
     }
@@ -262,6 +236,7 @@ private:
     }
     return scene;
   }
+
   Chance& chance_;
   double scale_;
   Vec3d at_{0, 0, 0};
@@ -270,9 +245,8 @@ private:
 template <class Real>
 std::string described(const TestScene<Real>& scene) {
   std::string text;
-  for_each_kind(scene, [&](const auto& primitives) {
-    for (const auto& primitive : primitives)
-      if (text.size() < 4000) text += described(primitive) + '\n';
+  for_each_primitive(scene, [&](const auto& primitive) {
+    if (text.size() < 4000) text += described(primitive) + '\n';
   });
   return text;
 }

@@ -21,17 +21,10 @@ namespace masu {
 // The parts of margin.h's bound for hits, in u M.
 inline constexpr double triangle_error = 85, sphere_error = 60, cone_error = 60;
 
-template <class T>
-constexpr double documented_error(const Triangle<T>&) {
-  return triangle_error;
-}
-template <class T>
-constexpr double documented_error(const Sphere<T>&) {
-  return sphere_error;
-}
-template <class T>
-constexpr double documented_error(const Cone<T>&) {
-  return cone_error;
+template <template <class> class Primitive, class T>
+constexpr double documented_error(const Primitive<T>&) {
+  if (std::is_same_v<Primitive<T>, Triangle<T>>) return triangle_error;
+  return std::is_same_v<Primitive<T>, Sphere<T>> ? sphere_error : cone_error;
 }
 
 template <class Real, class Primitive>
@@ -116,16 +109,11 @@ Triangle<Real> random_triangle(Chance& chance, double scale) {
   case 1: // one short side
     b = cast<Real>(cast<double>(a) + chance.in_cube(size * thin));
     break;
-  case 2: { // in an axis' plane
-    const int axis = chance.whole(0, 2);
-    b.set(axis, a[axis]);
-    c.set(axis, a[axis]);
-    break;
-  }
+  case 2:   // in an axis' plane
   case 3: { // nearly so
-    const int axis = chance.whole(0, 2);
-    b.set(axis, nudged(a[axis], chance.whole(-2, 2)));
-    c.set(axis, nudged(a[axis], chance.whole(-2, 2)));
+    const int axis = chance.whole(0, 2), most = 2 * chance.whole(0, 1);
+    b.set(axis, nudged(a[axis], chance.whole(-most, most)));
+    c.set(axis, nudged(a[axis], chance.whole(-most, most)));
     break;
   }
   default:
@@ -306,13 +294,7 @@ template <class Real, class Primitive>
 class Alone {
 public:
   explicit Alone(const Case<Real, Primitive>& c) {
-    if constexpr (std::is_same_v<Primitive, Triangle<Real>>) {
-      scene_.triangles = {c.primitive};
-    } else if constexpr (std::is_same_v<Primitive, Sphere<Real>>) {
-      scene_.spheres = {c.primitive};
-    } else {
-      scene_.cones = {c.primitive};
-    }
+    scene_.add(c.primitive);
     view_ = scene_.view();
     view_.clip = c.clip;
   }

@@ -3,7 +3,6 @@
 
 #include "renderer/tracer/tracer.h"
 #include "tests/hostile_files.h"
-#include "tests/tiny_scene.h"
 #include "tests/tracing_probe.h"
 
 namespace masu {

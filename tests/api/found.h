@@ -7,9 +7,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #define ASSERT_DONE(call) ASSERT_EQ(call, MASU_OK) << masu_error()
+
+// What the exception says that act() must throw, of that status.
+template <class Act>
+std::string refused(const Act& act, masu_status status = MASU_ERROR_USAGE) {
+  try {
+    act();
+  } catch (const masu::Exception& error) {
+    EXPECT_EQ(error.status, status) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "was done";
+  return {};
+}
 
 // In arrays of that kind, which are made of a count and have data().
 template <template <class...> class Array>

@@ -1,16 +1,8 @@
 // Calls of the C interface that their program ends: go_on() of masu.h.
 #include "tests/api/found.h"
-#include "tests/seeded_test.h"
+#include "tests/api/random_arrays.h"
 
-#include <masu/masu.hpp>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <random>
 #include <thread>
-#include <vector>
 
 namespace {
 
@@ -43,18 +35,10 @@ void expect_ended(masu_status status, const Calls& calls) {
   EXPECT_TRUE(calls.are_right);
 }
 
-class Interrupt : public masu::SeededTest {
+class Interrupt : public masu::RandomArrays {
 protected:
-  float coordinate() { return std::uniform_real_distribution<float>(-1, 1)(engine_); }
-
-  std::vector<float> random_vertices(std::size_t triangles) {
-    std::vector<float> vertices;
-    for (std::size_t i = 0; i < triangles; ++i) {
-      const std::array<float, 3> center{coordinate(), coordinate(), coordinate()};
-      for (int k = 0; k < 9; ++k)
-        vertices.push_back(center[static_cast<std::size_t>(k % 3)] + 0.05F * coordinate());
-    }
-    return vertices;
+  std::vector<float> random_vertices(std::uint32_t triangles) {
+    return random_mesh(triangles, 0.05F).vertices;
   }
   masu_mesh mesh_of(const std::vector<float>& vertices) {
     auto mesh = masu::mesh(vertices, std::array<std::uint32_t, 0>{});
@@ -65,19 +49,13 @@ protected:
   masu::Scene scene_of(const std::vector<float>& vertices) {
     return masu::Scene(std::array{mesh_of(vertices)});
   }
-  std::vector<masu_ray> random_rays(std::size_t count) {
-    std::vector<masu_ray> rays(count);
-    for (masu_ray& ray : rays) {
-      for (int axis = 0; axis < 3; ++axis) {
-        ray.origin[axis] = coordinate();
-        ray.direction[axis] = coordinate();
-      }
-      ray.tmax = 1;
-    }
+  // From between the triangles.
+  std::vector<masu_ray> short_rays(std::size_t count) {
+    std::vector<masu_ray> rays = random_rays(count, 1);
+    for (masu_ray& ray : rays)
+      ray.tmin = 0, ray.tmax = 1;
     return rays;
   }
-
-  std::mt19937_64 engine_ = seed_.engine();
 };
 
 // They would take minutes, or an hour.
@@ -85,7 +63,7 @@ TEST_F(Interrupt, QueriesByBruteForceEndWhereTheProgramSaysSo) {
   const std::vector<float> vertices = random_vertices(100'000);
   const masu::Scene scene = scene_of(vertices);
   const masu::Tracer tracer(scene, nullptr, {}, true);
-  const std::vector<masu_ray> rays = random_rays(std::size_t{1} << 20);
+  const std::vector<masu_ray> rays = short_rays(std::size_t{1} << 20);
   std::vector<float> t(rays.size());
   std::vector<double> t64(rays.size());
   std::vector<std::uint32_t> counts(rays.size());
@@ -172,7 +150,7 @@ TEST_F(Interrupt, ResultsAreTheSameWithAndWithout) {
   const std::vector<float> vertices = random_vertices(20'000);
   const masu::Scene scene = scene_of(vertices);
   const masu::Tracer tracer(scene), brute_force(scene, nullptr, {}, true);
-  const std::vector<masu_ray> rays = random_rays(5'000);
+  const std::vector<masu_ray> rays = short_rays(5'000);
   struct Nested {
     const masu::Tracer& tracer;
     const std::vector<masu_ray>& rays;
@@ -214,7 +192,7 @@ TEST_F(Interrupt, StructuresWithoutGoOnWork) {
   const auto options = older(masu::sized<masu_tracer_options>(), offsetof(masu_tracer_options, go_on));
   masu_tracer* tracer = nullptr;
   ASSERT_DONE(masu_tracer_create(scene, grid, &options, &tracer));
-  const std::vector<masu_ray> rays = random_rays(100);
+  const std::vector<masu_ray> rays = short_rays(100);
   const auto query = older(masu::sized<masu_query>(), offsetof(masu_query, go_on));
   EXPECT_TRUE(found_by(tracer, rays, query) == found_by(tracer, rays));
   EXPECT_EQ(calls.count, 0);

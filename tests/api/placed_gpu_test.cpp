@@ -1,8 +1,7 @@
 // Placed meshes on a GPU: the CPU's bits, of rays and transforms in either memory.
+#include "tests/api/device_array.h"
 #include "tests/api/placed_scene.h"
 #include "tests/seeded_test.h"
-
-#include <cuda_runtime.h>
 
 namespace {
 
@@ -15,29 +14,6 @@ protected:
   }
 
   std::mt19937_64 engine_ = seed_.engine();
-};
-
-// A copy in device memory.
-template <class T>
-class OnDevice {
-public:
-  explicit OnDevice(const std::vector<T>& host) : count_(host.size()) {
-    EXPECT_EQ(cudaMalloc(&data_, count_ * sizeof(T)), cudaSuccess);
-    EXPECT_EQ(cudaMemcpy(data_, host.data(), count_ * sizeof(T), cudaMemcpyHostToDevice), cudaSuccess);
-  }
-  OnDevice(const OnDevice&) = delete;
-  OnDevice& operator=(const OnDevice&) = delete;
-  ~OnDevice() { static_cast<void>(cudaFree(data_)); }
-  T* data() const { return data_; }
-  std::vector<T> host() const {
-    std::vector<T> copy(count_);
-    EXPECT_EQ(cudaMemcpy(copy.data(), data_, count_ * sizeof(T), cudaMemcpyDeviceToHost), cudaSuccess);
-    return copy;
-  }
-
-private:
-  T* data_ = nullptr;
-  std::size_t count_;
 };
 
 const auto ray_count = static_cast<std::size_t>(cases(6000));
@@ -87,16 +63,19 @@ TEST_F(PlacedOnGpu, MovedOnesAreThoseOfTheCpu) {
     const Scene scene = scenes.placed();
     Tracer cpu(scene), gpu(scene, 0);
     for (const bool from_device : {false, true}) {
+      const auto expect_same_found = [&] {
+        const auto rays = scenes.rays(ray_count);
+        const auto places = scenes.places(100);
+        expect_same(found_by(gpu, rays, places, {}, nullptr), found_by(cpu, rays, places, {}, nullptr));
+      };
       scenes.move();
       cpu.place(std::span<const Matrix>(scenes.transforms));
-      const OnDevice<Matrix> copy(scenes.transforms);
+      const Device<Matrix> copy(scenes.transforms);
       auto moves = sized<masu_transforms>();
       moves.values64 = from_device ? copy.data()->data() : scenes.transforms.front().data();
       moves.count = scenes.transforms.size();
       gpu.place(moves);
-      const auto rays = scenes.rays(ray_count);
-      const auto places = scenes.places(100);
-      expect_same(found_by(gpu, rays, places, {}, nullptr), found_by(cpu, rays, places, {}, nullptr));
+      expect_same_found();
       // Some of them in float32, one of them twice: the last one counts.
       scenes.move();
       const std::vector<std::uint32_t> indices{2, 0, 2};
@@ -104,14 +83,14 @@ TEST_F(PlacedOnGpu, MovedOnesAreThoseOfTheCpu) {
       for (std::size_t i = 0; i < some.size(); ++i)
         std::ranges::copy(scenes.transforms[i], some[i].begin());
       cpu.place(std::span<const std::array<float, 12>>(some), indices);
-      const OnDevice<std::array<float, 12>> some_copy(some);
-      const OnDevice<std::uint32_t> index_copy(indices);
+      const Device<std::array<float, 12>> some_copy(some);
+      const Device<std::uint32_t> index_copy(indices);
       moves = sized<masu_transforms>();
       moves.values = from_device ? some_copy.data()->data() : some.front().data();
       moves.indices = from_device ? index_copy.data() : indices.data();
       moves.count = some.size();
       gpu.place(moves);
-      expect_same(found_by(gpu, rays, places, {}, nullptr), found_by(cpu, rays, places, {}, nullptr));
+      expect_same_found();
     }
   }
 }
@@ -161,10 +140,10 @@ TEST_F(PlacedOnGpu, TracesRaysWhereTheyLie) {
   hits.primitive = primitive.data();
   hits.object = object.data();
   tracer.nearest(rays.data(), ray_count, hits, options);
-  const OnDevice<masu_ray64> there(rays);
-  const OnDevice<std::uint32_t> worlds_there(worlds);
-  const OnDevice<float> found_t(std::vector<float>(ray_count, -1.0F));
-  const OnDevice<std::uint32_t> found_primitive(primitive),
+  const Device<masu_ray64> there(rays);
+  const Device<std::uint32_t> worlds_there(worlds);
+  const Device<float> found_t(std::vector<float>(ray_count, -1.0F));
+  const Device<std::uint32_t> found_primitive(primitive),
       found_object(std::vector<std::uint32_t>(ray_count, 7));
   options.worlds = worlds_there.data();
   hits.t = found_t.data();
@@ -189,7 +168,7 @@ TEST_F(PlacedOnGpu, WhatCantBePlacedIsAnErrorAndNothingMoves) {
   for (const double wrong : {0.0, std::nan(""), static_cast<double>(INFINITY), 1e300, 1e20}) {
     std::vector<Matrix> moved = scenes.transforms;
     moved[5] = {wrong, 0, 0, wrong, 0, 1, 0, 0, 0, 0, 1, 0};
-    const OnDevice<Matrix> copy(moved);
+    const Device<Matrix> copy(moved);
     auto moves = sized<masu_transforms>();
     moves.values64 = copy.data()->data();
     moves.count = moved.size();
@@ -198,8 +177,8 @@ TEST_F(PlacedOnGpu, WhatCantBePlacedIsAnErrorAndNothingMoves) {
     EXPECT_THROW(tracer.place(moves), Exception);
   }
   const std::vector<std::uint32_t> far{1000};
-  const OnDevice<std::uint32_t> far_there(far);
-  const OnDevice<Matrix> one(std::vector<Matrix>(1, scenes.transforms[0]));
+  const Device<std::uint32_t> far_there(far);
+  const Device<Matrix> one(std::vector<Matrix>(1, scenes.transforms[0]));
   auto moves = sized<masu_transforms>();
   moves.values64 = one.data()->data();
   moves.count = 1;

@@ -1,17 +1,17 @@
 // Placed meshes answer as the scene of their vertices written out, to the bit, through any structure.
+#include "tests/api/found.h"
 #include "tests/api/placed_scene.h"
-#include "tests/seeded_test.h"
+#include "tests/api/random_arrays.h"
 
 namespace {
 
 using namespace masu;
 
-class Placed : public SeededTest {
-protected:
-  static Tracer brute_force(const Scene& scene) { return {scene, nullptr, {}, true}; }
+using Placed = RandomArrays;
 
-  std::mt19937_64 engine_ = seed_.engine();
-};
+PlacedFound found_written_out(const PlacedScenes& scenes, const std::vector<masu_ray64>& rays) {
+  return found_by(Tracer(scenes.written_out()), rays, {}, {}, nullptr, scenes.center());
+}
 
 const auto ray_count = static_cast<std::size_t>(cases(400)), few_rays = std::min(ray_count, std::size_t{400}),
            place_count = few_rays / 5;
@@ -47,17 +47,16 @@ TEST_F(Placed, MovedOnesAreThoseOfANewScene) {
     scenes.move();
     tracer.place(std::span<const Matrix>(scenes.transforms));
     const auto rays = scenes.rays(ray_count);
-    expect_same(found_by(tracer, rays, {}, {}, &scenes),
-                found_by(Tracer(scenes.written_out()), rays, {}, {}, nullptr, scenes.center()));
-    const auto before = scenes.transforms;
+    expect_same(found_by(tracer, rays, {}, {}, &scenes), found_written_out(scenes, rays));
+    auto some = scenes.transforms;
     scenes.move();
     const std::vector<std::uint32_t> indices{3, 0};
     const std::vector<Matrix> moved{scenes.transforms[3], scenes.transforms[0]};
     tracer.place(std::span<const Matrix>(moved), indices);
-    for (std::size_t i = 0; i < before.size(); ++i)
-      if (i != 0 && i != 3) scenes.transforms[i] = before[i];
-    expect_same(found_by(tracer, rays, {}, {}, &scenes),
-                found_by(Tracer(scenes.written_out()), rays, {}, {}, nullptr, scenes.center()));
+    some[3] = moved[0];
+    some[0] = moved[1];
+    scenes.transforms = some;
+    expect_same(found_by(tracer, rays, {}, {}, &scenes), found_written_out(scenes, rays));
   }
 }
 
@@ -139,45 +138,29 @@ TEST_F(Placed, MasksWorldsAndExclusionsAreThoseOfObjects) {
   }
 }
 
-template <class Act>
-std::string refused(const Act& act) {
-  try {
-    act();
-  } catch (const Exception& error) {
-    EXPECT_EQ(error.status, MASU_ERROR_USAGE);
-    return error.what();
-  }
-  ADD_FAILURE() << "was done";
-  return {};
-}
-
 TEST_F(Placed, WhatCantBePlacedIsAnErrorAndNothingMoves) {
   PlacedScenes scenes(engine_, {});
   const Scene scene = scenes.placed();
   Tracer tracer(scene);
   const auto rays = scenes.rays(200);
   const PlacedFound before = found_by(tracer, rays, {}, {}, &scenes);
-  const double nan = std::nan(""), infinity = INFINITY;
+  const double nan = std::nan(""), endless = INFINITY;
   const Matrix identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-  for (const double wrong : {nan, infinity, -infinity, 1e300, 1e20}) {
+  const auto expect_refused = [&](const Matrix& moved, const char* says) {
+    scenes.transforms[5] = moved;
+    const std::string error = refused([&] { tracer.place(std::span<const Matrix>(scenes.transforms)); });
+    EXPECT_NE(error.find(says), std::string::npos) << error;
+  };
+  for (const double wrong : {nan, endless, -endless, 1e300, 1e20}) {
     for (std::size_t i = 0; i < 12; ++i) {
       Matrix moved = identity;
       moved[i] = wrong;
-      scenes.transforms[5] = moved;
-      EXPECT_NE(
-          refused([&] { tracer.place(std::span<const Matrix>(scenes.transforms)); }).find("placements: "),
-          std::string::npos);
+      expect_refused(moved, "placements: ");
     }
   }
-  for (const Matrix& moved :
-       {Matrix{}, Matrix{1, 2, 3, 0, 2, 4, 6, 0, 0, 0, 1, 0}, Matrix{1, 0, 0, 0, 0, 1, 0, 0},
-        Matrix{1e-14, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}) {
-    scenes.transforms[5] = moved;
-    EXPECT_NE(refused([&] {
-                tracer.place(std::span<const Matrix>(scenes.transforms));
-              }).find("number 5 can't be inverted"),
-              std::string::npos);
-  }
+  for (const Matrix& moved : {Matrix{}, Matrix{1, 2, 3, 0, 2, 4, 6, 0, 0, 0, 1, 0},
+                              Matrix{1, 0, 0, 0, 0, 1, 0, 0}, Matrix{1e-14, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}})
+    expect_refused(moved, "number 5 can't be inverted");
   refused([&] { scenes.placed(); });
   scenes.transforms.pop_back();
   refused([&] { tracer.place(std::span<const Matrix>(scenes.transforms)); });

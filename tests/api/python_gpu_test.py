@@ -16,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "
 import numpy as np
 
 import masu
-from python_scene import cube, documented_examples, random_generator, random_mesh, random_rays
+from python_scene import cube, documented_examples, random_generator, random_mesh, random_rays, same_bits
 
 torch = cupy = None  # imported in main()
 
@@ -40,12 +40,7 @@ class WithTracers(unittest.TestCase):
         return [rays, rays.astype(np.float64), long.astype(np.float32), long]
 
     def same(self, hits, expected):
-        self.assertEqual(hits.keys(), expected.keys())
-        for name, array in hits.items():
-            array = array.cpu().numpy() if torch is not None and isinstance(array, torch.Tensor) else array
-            array = cupy.asnumpy(array) if cupy is not None else array
-            self.assertEqual((array.dtype, array.shape), (expected[name].dtype, expected[name].shape), name)
-            self.assertEqual(array.tobytes(), expected[name].tobytes(), name)
+        same_bits(self, hits, expected)
 
     def every(self, tracer, rays, **options):
         return {**tracer.nearest(rays, fields=masu.FIELDS, **options), "occluded": tracer.occluded(rays, **options)}
@@ -62,7 +57,50 @@ class HostMemory(WithTracers):
         self.assertEqual((self.gpu.device, self.cpu.device), ("cuda:0", "cpu"))
 
 
-class Torch(WithTracers):
+class OnTheDevice(WithTracers):
+    """Tests of either library's arrays: on_gpu(NumPy's), of_type(array, name), by_columns(array)."""
+
+    def test_results_are_the_bits_of_the_cpu_and_on_the_device(self):
+        for rays in self.lists():
+            given = self.on_gpu(rays)
+            hits = self.every(self.gpu, given, coherent=True)
+            for array in hits.values():
+                self.assertEqual((type(array), array.device), (type(given), given.device))
+            self.same(hits, self.every(self.cpu, rays))
+
+    def expect_any_layout_and_type(self, rays, array, wide):
+        expected = self.every(self.cpu, rays)
+        wide[::2, 1:7] = array
+        for given in (wide[::2, 1:7], self.by_columns(array), self.of_type(array, "float64")):
+            self.same(self.every(self.gpu, given), expected)
+        shaped = self.every(self.gpu, array.reshape(4, 3, 20, 6))
+        self.assertEqual(tuple(shaped["primitive_normals"].shape), (4, 3, 20, 3))
+        self.same({name: part.reshape((240,) + tuple(part.shape[3:])) for name, part in shaped.items()}, expected)
+        whole = self.of_type((array * 4).round(), "int64")
+        self.same(self.every(self.gpu, whole), self.every(self.cpu, np.rint(rays * 4)))
+        for leading in ((0,), (3, 0)):
+            empty = self.every(self.gpu, array[:0].reshape(leading + (6,)))
+            self.assertEqual(tuple(empty["primitive_uvs"].shape), leading + (2,))
+        self.assertEqual(self.gpu.occluded(array[0]).shape, ())
+
+    def test_wrong_arrays_are_refused(self):
+        rays = self.on_gpu(np.zeros((5, 6), np.float32))
+        for error, array in ((ValueError, rays[:, :5]), (TypeError, rays > 0), (TypeError, self.of_type(rays, "complex64"))):
+            self.assertRaises(error, self.gpu.nearest, array)
+        self.assertRaises(ValueError, self.cpu.nearest, rays)
+        self.assertRaises(TypeError, self.gpu.nearest, rays, stream="1")
+
+
+class Torch(OnTheDevice):
+    def on_gpu(self, array):
+        return torch.as_tensor(array, device="cuda:0")
+
+    def of_type(self, array, name):
+        return array.to(getattr(torch, name))
+
+    def by_columns(self, array):
+        return array.t().contiguous().t()
+
     def test_a_scene_of_tensors_is_that_of_numpy(self):
         rays = self.lists()[0]
         for device in ("cpu", "cuda:0"):
@@ -92,13 +130,6 @@ class Torch(WithTracers):
             self.same(self.every(gpu, torch.as_tensor(rays, device="cuda:0")), self.every(cpu, rays))
         self.assertRaises(TypeError, gpu.update, moved > 0)
         self.assertRaises(ValueError, gpu.update, moved[:, :2])
-
-    def test_results_are_the_bits_of_the_cpu_and_on_the_device(self):
-        for rays in self.lists():
-            hits = self.every(self.gpu, torch.as_tensor(rays, device="cuda:0"), coherent=True)
-            for array in hits.values():
-                self.assertEqual(array.device, torch.device("cuda:0"))
-            self.same(hits, self.every(self.cpu, rays))
 
     def test_closest_points_are_found_where_points_lie(self):
         for points in (self.random.uniform(-1, 2, (70, 30, 3)), self.random.uniform(-1, 2, (500, 3)).astype(np.float32)):
@@ -153,37 +184,20 @@ class Torch(WithTracers):
         expected = self.every(self.cpu, rays)
         for device in ("cpu", "cuda:0"):
             tensor = torch.as_tensor(rays, device=device)
-            wide = torch.full((480, 9), float("nan"), device=device)
-            wide[::2, 1:7] = tensor
-            self.same(self.every(self.gpu, wide[::2, 1:7]), expected)
-            self.same(self.every(self.gpu, tensor.t().contiguous().t()), expected)
-            self.same(self.every(self.gpu, tensor.to(torch.float64)), expected)
+            self.expect_any_layout_and_type(rays, tensor, torch.full((480, 9), float("nan"), device=device))
             self.same(self.every(self.gpu, tensor.clone().requires_grad_()), expected)
-            shaped = self.every(self.gpu, tensor.reshape(4, 3, 20, 6))
-            self.assertEqual(tuple(shaped["primitive_normals"].shape), (4, 3, 20, 3))
-            self.same({name: array.flatten(0, 2) for name, array in shaped.items()}, expected)
             half = tensor.to(torch.float16)
             self.same(self.every(self.gpu, half), self.every(self.cpu, half.cpu().numpy().astype(np.float32)))
-            whole = torch.round(tensor * 4).to(torch.int64)
-            self.same(self.every(self.gpu, whole), self.every(self.cpu, whole.cpu().numpy().astype(np.float32)))
             shifted = torch.empty(240 * 6 + 1, device=device)[1:].view(240, 6)  # not aligned to 16 bytes
             shifted.copy_(tensor)
             self.same(self.every(self.gpu, shifted), expected)
-            for leading in ((0,), (3, 0)):
-                empty = self.every(self.gpu, tensor.new_empty(leading + (6,)))
-                self.assertEqual(tuple(empty["primitive_uvs"].shape), leading + (2,))
-            self.assertEqual(self.gpu.occluded(tensor[0]).shape, ())
 
     def test_wrong_tensors_are_refused(self):
         rays = torch.zeros(5, 6, device="cuda:0")
-        for error, tensor in ((ValueError, torch.zeros(5, 7, device="cuda:0")), (TypeError, rays > 0),
-                              (TypeError, rays.to(torch.complex64)), (TypeError, rays.to_sparse()),
+        for error, tensor in ((ValueError, torch.zeros(5, 7, device="cuda:0")), (TypeError, rays.to_sparse()),
                               (TypeError, torch.zeros(5, 6, device="meta"))):
-            with self.assertRaises(error):
-                self.gpu.nearest(tensor)
-        self.assertRaises(ValueError, self.cpu.nearest, rays)
+            self.assertRaises(error, self.gpu.nearest, tensor)
         self.assertRaises(ValueError, self.gpu.nearest, rays.cpu(), stream=torch.cuda.current_stream())
-        self.assertRaises(TypeError, self.gpu.nearest, rays, stream="1")
         self.assertRaises(ValueError, self.gpu.nearest, rays, stream=-1)
 
     def test_a_query_is_queued_on_the_current_or_the_given_stream(self):
@@ -269,39 +283,22 @@ class Torch(WithTracers):
                     self.assertRaises(ValueError, self.gpu.nearest, other)
 
 
-class CuPy(WithTracers):
-    def test_results_are_the_bits_of_the_cpu_and_on_the_device(self):
-        for rays in self.lists():
-            hits = self.every(self.gpu, cupy.asarray(rays), coherent=True)
-            for array in hits.values():
-                self.assertIsInstance(array, cupy.ndarray)
-            self.same(hits, self.every(self.cpu, rays))
+class CuPy(OnTheDevice):
+    def on_gpu(self, array):
+        return cupy.asarray(array)
+
+    def of_type(self, array, name):
+        return array.astype(name)
+
+    def by_columns(self, array):
+        return cupy.asfortranarray(array)
 
     def test_any_layout_and_type(self):
         rays = random_rays(self.random, 240)
-        expected = self.every(self.cpu, rays)
         array = cupy.asarray(rays)
-        wide = cupy.full((480, 9), cupy.nan, cupy.float32)
-        wide[::2, 1:7] = array
-        self.same(self.every(self.gpu, wide[::2, 1:7]), expected)
-        self.same(self.every(self.gpu, array[:, ::-1].copy()[:, ::-1]), expected)
-        self.same(self.every(self.gpu, cupy.asfortranarray(array)), expected)
-        self.same(self.every(self.gpu, array.astype(cupy.float64)), expected)
-        shaped = self.every(self.gpu, array.reshape(4, 60, 6))
-        self.same({name: part.reshape((240,) + part.shape[2:]) for name, part in shaped.items()}, expected)
-        whole = cupy.rint(array * 4).astype(cupy.int32)
-        self.same(self.every(self.gpu, whole), self.every(self.cpu, cupy.asnumpy(whole).astype(np.float32)))
-        for leading in ((0,), (3, 0)):
-            empty = self.every(self.gpu, cupy.empty(leading + (6,), cupy.float32))
-            self.assertEqual(empty["primitive_uvs"].shape, leading + (2,))
-        self.assertEqual(self.gpu.occluded(array[0]).shape, ())
-
-    def test_wrong_arrays_are_refused(self):
-        rays = cupy.zeros((5, 6), cupy.float32)
-        for error, array in ((ValueError, rays[:, :5]), (TypeError, rays > 0), (TypeError, rays.astype(complex))):
-            self.assertRaises(error, self.gpu.nearest, array)
-        self.assertRaises(ValueError, self.cpu.nearest, rays)
-        self.assertRaises(TypeError, self.gpu.nearest, rays, stream="1")
+        self.expect_any_layout_and_type(rays, array, cupy.full((480, 9), cupy.nan, cupy.float32))
+        self.same(self.every(self.gpu, array[:, ::-1].copy()[:, ::-1]), self.every(self.cpu, rays))
+        self.same(self.every(self.gpu, self.of_type(cupy.rint(array * 4), "int32")), self.every(self.cpu, np.rint(rays * 4)))
 
     def test_a_query_is_queued_on_the_current_or_the_given_stream(self):
         rays = random_rays(self.random, 20000)

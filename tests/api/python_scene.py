@@ -15,6 +15,16 @@ def random_generator():
     return np.random.default_rng(seed)
 
 
+def same_bits(test, found, expected):
+    """Of dictionaries of arrays: those that are found may be PyTorch's or CuPy's, on any device."""
+    test.assertEqual(found.keys(), expected.keys())
+    for name, wanted in expected.items():
+        array = found[name]
+        array = array.cpu().numpy() if hasattr(array, "cpu") else array.get() if hasattr(array, "get") else array
+        test.assertEqual((array.dtype, array.shape), (wanted.dtype, wanted.shape), name)
+        test.assertEqual(array.tobytes(), wanted.tobytes(), name)
+
+
 def random_mesh(random, count):
     """Separate triangles about the unit cube."""
     corners = random.uniform(0, 1, (count, 1, 3)) + random.uniform(-0.2, 0.2, (count, 3, 3))

@@ -1,7 +1,6 @@
 """Handlers of signals, and progress, in the middle of the Python module's calls: each in a process of its own, whose limit
 of time is a watchdog alone. Environment: PYTHONPATH=api/python MASU_LIBRARY=…/libmasu.so."""
 
-import os
 import signal
 import subprocess
 import sys

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import types
 import unittest
 import unittest.mock
 import warnings
@@ -18,17 +19,9 @@ import warnings
 import numpy as np
 
 import masu
-from python_scene import brute_force, cube, random_generator, random_mesh, random_rays
+from python_scene import brute_force, cube, random_generator, random_mesh, random_rays, same_bits
 
 INFINITY = np.float32(np.inf)
-
-
-def same_bits(test, first, second):
-    test.assertEqual(first.keys(), second.keys())
-    for name in first:
-        test.assertEqual(first[name].dtype, second[name].dtype, name)
-        test.assertEqual(first[name].shape, second[name].shape, name)
-        test.assertEqual(first[name].tobytes(), second[name].tobytes(), name)
 
 
 def run_python(text, **environment):
@@ -943,11 +936,8 @@ class Copies(WithFolder):
         same_bits(self, tracer.closest(rays[:, :3], object_masks=[0, 1, 0]), tracer.closest(rays[:, :3], object_masks=[0, 2, 0]))
 
 
-class Attributes:
+class Attributes(types.SimpleNamespace):
     """An object with these attributes."""
-
-    def __init__(self, **attributes):
-        self.__dict__.update(attributes)
 
 
 class OtherNames(WithFolder):

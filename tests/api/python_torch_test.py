@@ -17,7 +17,7 @@ except ImportError as error:
     print("skipped: {}".format(error))
     sys.exit(77)
 
-from python_scene import documented_examples, random_generator, random_mesh, random_rays
+from python_scene import documented_examples, random_generator, random_mesh, random_rays, same_bits
 
 DEVICES = ["cpu"] + (["cuda:0"] if torch.cuda.is_available() and masu.gpu_count() > 0 else [])
 
@@ -42,13 +42,6 @@ class Operators(unittest.TestCase):
         self.random = random_generator()
         self.scenes = [masu.Scene(*random_mesh(self.random, 200)) for _ in range(2)]
         torch.compiler.reset()
-
-    def assert_same(self, results, wanted):
-        self.assertEqual(results.keys(), wanted.keys())
-        for name, result in results.items():
-            result = result.cpu().numpy()
-            self.assertEqual((result.dtype, result.shape), (wanted[name].dtype, wanted[name].shape), name)
-            self.assertEqual(result.tobytes(), wanted[name].tobytes(), name)
 
     def test_they_are_what_pytorch_demands_of_operators(self):
         rays = random_rays(self.random, 60)
@@ -77,7 +70,7 @@ class Operators(unittest.TestCase):
                         rays = random_rays(self.random, count)
                         results = compiled(tracer, torch.as_tensor(rays, device=device), precision="double")
                         self.assertEqual({str(result.device) for result in results.values()}, {device})
-                        self.assert_same(results, expected(tracer, rays, precision="double"))
+                        same_bits(self, results, expected(tracer, rays, precision="double"))
 
     def backends(self, device):
         """inductor where it can compile for the device."""
@@ -99,7 +92,7 @@ class Operators(unittest.TestCase):
 
         rays = random_rays(self.random, 50)
         program = torch.export.export(Depth(), (torch.as_tensor(rays),))
-        self.assert_same({"t_hit": program.module()(torch.as_tensor(rays))}, tracer.nearest(rays, fields="t_hit"))
+        same_bits(self, {"t_hit": program.module()(torch.as_tensor(rays))}, tracer.nearest(rays, fields="t_hit"))
 
     def test_the_documented_example_runs(self):
         blocks = documented_examples()

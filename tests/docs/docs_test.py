@@ -159,26 +159,18 @@ def commands(text):
     return found
 
 
-def is_console(text):
-    return text.startswith("$ ")
-
-
-def reason_not_run(command):
-    return next((reason for pattern, reason in NOT_RUN.items() if re.search(pattern, command)), None)
-
-
 class Page:
     """The shell script that types a page."""
 
-    def __init__(self, name, tested):
+    def __init__(self, name, tested, typed):
         self.name = name
         self.tested = tested
-        self.script = [SHELL]
+        self.typed = typed
+        self.script = [SHELL, "made build"]
         self.failures = []
-        self.files = {}
 
     def file(self, name, text):
-        self.files[name] = text
+        (self.typed / name).write_text(text, encoding="utf-8")
         return '"$SOURCE/typed/{}"'.format(name)
 
     def run(self, line, command, shown=None):
@@ -186,19 +178,20 @@ class Page:
         # After an AND list the shell itself goes on.
         self.script += ["say {}".format(shlex.quote(where + ": " + (shown or command))), command, "(exit $?)"]
 
-    def missing_program(self, command):
-        programs = [name for name in OPTIONAL_PROGRAMS if re.search(r"(^|[\s/|]){}\b(?!-)".format(name), command)]
-        return next((name for name in programs if not (self.tested / "bin" / name).exists()), None)
+    def reason_not_run(self, command):
+        """"" where it can be run."""
+        reasons = [reason for pattern, reason in NOT_RUN.items() if re.search(pattern, command)]
+        reasons += [name + " isn't built" for name in OPTIONAL_PROGRAMS
+                    if re.search(r"(^|[\s/|]){}\b(?!-)".format(name), command) and not (self.tested / "bin" / name).exists()]
+        return "; ".join(reasons)
 
     def skip(self, line, command, reason):
         self.script.append("say {}".format(shlex.quote("{}:{}: not run: {} ({})".format(
             self.name, line, command, reason))))
 
     def type(self, line, command):
-        reason = reason_not_run(command)
-        missing = self.missing_program(command)
-        if reason or missing:
-            self.skip(line, command, reason or missing + " isn't built")
+        if reason := self.reason_not_run(command):
+            self.skip(line, command, reason)
             return
         typed = command
         for pattern, smaller in SMALLER:
@@ -211,9 +204,8 @@ class Page:
         starts = [number for number, row in enumerate(rows) if row.startswith("$ ")] + [len(rows)]
         for start, end in zip(starts, starts[1:]):
             command = rows[start][2:]
-            missing = self.missing_program(command)
-            if missing:
-                self.skip(line + start, command, missing + " isn't built")
+            if reason := self.reason_not_run(command):
+                self.skip(line + start, command, reason)
                 continue
             printed = "".join(row + "\n" for row in rows[start + 1:end])
             expected = self.file("{}.expected".format(line + start), printed)
@@ -235,7 +227,7 @@ class Page:
             line += first_line - 1
             if language:
                 self.fenced(line, language, block)
-            elif is_console(block):
+            elif block.startswith("$ "):
                 self.console(line, block)
             else:
                 for number, command in commands(block):
@@ -282,23 +274,19 @@ def main():
     shutil.copytree(source, folder, ignore=not_copied)
     (folder / "typed").mkdir()
 
-    page = Page(name, tested)
-    page.script.append("made build")
+    page = Page(name, tested, folder / "typed")
     text = (folder / name).read_text(encoding="utf-8")
     if name != HEAD and "README.md#first-commands)" in text:
         page.type_blocks(*first_commands(source))
     page.type_blocks(1, text)
     if name == "README.md": # once: it reads every page
         page.failures += ["NOT_RUN has {}, which no page types any more".format(p) for p in stale_lists(source)]
-    for file, text in page.files.items():
-        (folder / "typed" / file).write_text(text, encoding="utf-8")
     kept = ("HOME", "PATH", "LANG", "LC_ALL", "TMPDIR", "PYTHON") # of the environment
     environment = {key: os.environ[key] for key in kept if key in os.environ}
     environment["TESTED"] = str(tested)
     options = "CONFIGURED=({})\n".format(" ".join(shlex.quote(option) for option in configured_options(tested)))
-    script = folder / "typed" / "script.sh"
-    script.write_text(options + "\n".join(page.script) + "\n", encoding="utf-8")
-    ended = subprocess.run(["bash", str(script)], cwd=str(folder), env=environment, stdin=subprocess.DEVNULL,
+    page.file("script.sh", options + "\n".join(page.script) + "\n")
+    ended = subprocess.run(["bash", "typed/script.sh"], cwd=str(folder), env=environment, stdin=subprocess.DEVNULL,
                            stderr=subprocess.STDOUT)
     for failure in page.failures:
         print("FAILED:", failure)

@@ -32,6 +32,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <string_view>
 #include <ucontext.h>
 
 extern "C" long masu_system_call(long number, long a, long b, long c, long d, long e, long f);
@@ -58,7 +59,7 @@ masu_system_call_end:
 namespace {
 
 struct Fault {
-  const char* name;
+  std::string_view name;
   std::array<long, 3> calls; // -1: none
   int error;
 };
@@ -138,10 +139,9 @@ void trap() {
       load(offsetof(seccomp_data, nr)),
   };
   std::size_t size = 7;
-  const bool all = std::strcmp(fault->name, "all") == 0;
+  const bool all = fault->name == "all";
   for (const Fault& other : faults) {
-    const bool changes_files =
-        other.error == ENOSPC || (other.error == EIO && std::strcmp(other.name, "read") != 0);
+    const bool changes_files = other.error == ENOSPC || (other.error == EIO && other.name != "read");
     if (all ? !changes_files : &other != fault) continue;
     for (const long call : other.calls) {
       if (call < 0) continue;
@@ -160,13 +160,11 @@ Main real_main = nullptr;
 
 int counted_main(int argc, char** argv, char** environment) {
   if (const char* const wanted = std::getenv("MASU_FAULT")) {
-    const char* const colon = std::strchr(wanted, ':');
-    const std::size_t length =
-        colon != nullptr ? static_cast<std::size_t>(colon - wanted) : std::strlen(wanted);
+    const std::string_view text = wanted, name = text.substr(0, text.find(':'));
     for (const Fault& known : faults)
-      if (std::strlen(known.name) == length && std::strncmp(known.name, wanted, length) == 0) fault = &known;
+      if (known.name == name) fault = &known;
     char* end = nullptr;
-    if (colon != nullptr) failing = std::strtoull(colon + 1, &end, 10);
+    if (name.size() < text.size()) failing = std::strtoull(wanted + name.size() + 1, &end, 10);
     all_after = end != nullptr && *end == '+';
     if (const char* const log = std::getenv("MASU_FAULT_LOG"))
       log_file = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
@@ -229,6 +227,8 @@ void* allocated(const void* caller, const Allocate& allocate) {
 
 } // namespace
 
+#define MASU_PRELOADED __attribute__((visibility("default")))
+
 extern "C" {
 
 void* __libc_malloc(std::size_t);
@@ -236,72 +236,64 @@ void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 
-__attribute__((visibility("default"))) void* malloc(std::size_t size) {
+MASU_PRELOADED void* malloc(std::size_t size) {
   return allocated(__builtin_return_address(0), [&] { return __libc_malloc(size); });
 }
-__attribute__((visibility("default"))) void* calloc(std::size_t count, std::size_t size) {
+MASU_PRELOADED void* calloc(std::size_t count, std::size_t size) {
   return allocated(__builtin_return_address(0), [&] { return __libc_calloc(count, size); });
 }
-__attribute__((visibility("default"))) void* realloc(void* memory, std::size_t size) {
+MASU_PRELOADED void* realloc(void* memory, std::size_t size) {
   return allocated(__builtin_return_address(0), [&] { return __libc_realloc(memory, size); });
 }
-__attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment, std::size_t size) {
+MASU_PRELOADED void* aligned_alloc(std::size_t alignment, std::size_t size) {
   return allocated(__builtin_return_address(0), [&] { return __libc_memalign(alignment, size); });
 }
-__attribute__((visibility("default"))) int posix_memalign(void** memory, std::size_t alignment,
-                                                          std::size_t size) {
+MASU_PRELOADED int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
   *memory = allocated(__builtin_return_address(0), [&] { return __libc_memalign(alignment, size); });
   return *memory != nullptr ? 0 : ENOMEM;
 }
 
 // To know who calls it.
-__attribute__((visibility("default"))) void* mmap(void* address, std::size_t size, int protection, int flags,
-                                                  int file, off_t offset) {
+MASU_PRELOADED void* mmap(void* address, std::size_t size, int protection, int flags, int file,
+                          off_t offset) {
   const Spares spares(counting && is_spared(__builtin_return_address(0)));
   return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));
 }
-__attribute__((visibility("default"))) void* mmap64(void* address, std::size_t size, int protection,
-                                                    int flags, int file, off_t offset) {
-  const Spares spares(counting && is_spared(__builtin_return_address(0)));
-  return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));
-}
+MASU_PRELOADED void* mmap64(void*, std::size_t, int, int, int, off_t) __attribute__((alias("mmap")));
 
 // As on a machine of eight cores, by which TBB counts: only from four on do its threads start others.
-__attribute__((visibility("default"))) int sched_getaffinity(pid_t, std::size_t size,
-                                                             cpu_set_t* cores) noexcept {
+MASU_PRELOADED int sched_getaffinity(pid_t, std::size_t size, cpu_set_t* cores) noexcept {
   std::memset(cores, 0, size);
   *reinterpret_cast<unsigned char*>(cores) = 0xff;
   return 0;
 }
-__attribute__((visibility("default"))) long sysconf(int name) noexcept {
+MASU_PRELOADED long sysconf(int name) noexcept {
   if (name == _SC_NPROCESSORS_ONLN) return 8;
   return reinterpret_cast<decltype(&sysconf)>(dlsym(RTLD_NEXT, "sysconf"))(name);
 }
 
 // What Cairo calls of Fontconfig to find a font.
-__attribute__((visibility("default"))) void* FcConfigGetCurrent() {
+MASU_PRELOADED void* FcConfigGetCurrent() {
   return call_of_fontconfig(FcConfigGetCurrent, "FcConfigGetCurrent");
 }
-__attribute__((visibility("default"))) int FcInitBringUptoDate() {
+MASU_PRELOADED int FcInitBringUptoDate() {
   return call_of_fontconfig(FcInitBringUptoDate, "FcInitBringUptoDate");
 }
-__attribute__((visibility("default"))) int FcConfigSubstitute(void* config, void* pattern, int kind) {
+MASU_PRELOADED int FcConfigSubstitute(void* config, void* pattern, int kind) {
   return call_of_fontconfig(FcConfigSubstitute, "FcConfigSubstitute", config, pattern, kind);
 }
-__attribute__((visibility("default"))) void FcDefaultSubstitute(void* pattern) {
+MASU_PRELOADED void FcDefaultSubstitute(void* pattern) {
   call_of_fontconfig(FcDefaultSubstitute, "FcDefaultSubstitute", pattern);
 }
-__attribute__((visibility("default"))) void* FcFontMatch(void* config, void* pattern, int* result) {
+MASU_PRELOADED void* FcFontMatch(void* config, void* pattern, int* result) {
   return call_of_fontconfig(FcFontMatch, "FcFontMatch", config, pattern, result);
 }
-__attribute__((visibility("default"))) int FcPatternGetFTFace(void* pattern, const char* object, int number,
-                                                              void** face) {
+MASU_PRELOADED int FcPatternGetFTFace(void* pattern, const char* object, int number, void** face) {
   return call_of_fontconfig(FcPatternGetFTFace, "FcPatternGetFTFace", pattern, object, number, face);
 }
 
-__attribute__((visibility("default"))) int __libc_start_main(Main main, int argc, char** argv, void (*init)(),
-                                                             void (*fini)(), void (*rtld_fini)(),
-                                                             void* stack_end) {
+MASU_PRELOADED int __libc_start_main(Main main, int argc, char** argv, void (*init)(), void (*fini)(),
+                                     void (*rtld_fini)(), void* stack_end) {
   real_main = main;
   using Start = int (*)(Main, int, char**, void (*)(), void (*)(), void (*)(), void*);
   const auto start = reinterpret_cast<Start>(dlsym(RTLD_NEXT, "__libc_start_main"));
@@ -311,12 +303,12 @@ __attribute__((visibility("default"))) int __libc_start_main(Main main, int argc
 } // extern "C"
 
 // Of their own, to know who calls them.
-__attribute__((visibility("default"))) void* operator new(std::size_t size) {
+MASU_PRELOADED void* operator new(std::size_t size) {
   void* const memory = allocated(__builtin_return_address(0), [&] { return __libc_malloc(size); });
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
-__attribute__((visibility("default"))) void* operator new[](std::size_t size) {
+MASU_PRELOADED void* operator new[](std::size_t size) {
   void* const memory = allocated(__builtin_return_address(0), [&] { return __libc_malloc(size); });
   if (memory == nullptr) throw std::bad_alloc();
   return memory;

@@ -3,7 +3,6 @@
 #include "libgrid/file/structure_file.h"
 #include "libgrid/statistics/statistics.h"
 #include "libgrid/trace/trace.h"
-#include "libscene/base/error.h"
 #include "renderer/counts.h"
 #include "tests/fuzz/repaired.h"
 

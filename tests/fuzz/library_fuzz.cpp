@@ -48,6 +48,13 @@ float number(Input& input) {
   return static_cast<float>(static_cast<std::int16_t>(bits)) / 4096;
 }
 
+std::vector<float> numbers_of(Input& input, std::size_t count) {
+  std::vector<float> numbers(count);
+  for (float& v : numbers)
+    v = number(input);
+  return numbers;
+}
+
 template <class Struct>
 Struct sized(Input& input) {
   Struct made{};
@@ -56,9 +63,7 @@ Struct sized(Input& input) {
 }
 
 masu_scene* created_scene(Input& input) {
-  std::vector<float> vertices(3 * (input.take<std::uint8_t>() % 16U));
-  for (float& v : vertices)
-    v = number(input);
+  const auto vertices = numbers_of(input, 3 * (input.take<std::uint8_t>() % 16U));
   std::vector<std::uint32_t> indices(3 * (input.take<std::uint8_t>() % 16U));
   const std::size_t corners = vertices.size() / 3 + (input.take<std::uint8_t>() % 8 == 0 ? 1 : 0);
   for (std::uint32_t& i : indices)
@@ -71,9 +76,7 @@ masu_scene* created_scene(Input& input) {
   mesh.indices = (has & 1U) != 0 ? indices.data() : nullptr;
   mesh.triangle_count = indices.size() / 3;
   mesh.color = (has & 2U) != 0 ? color.data() : nullptr;
-  std::vector<float> numbers(8 * (input.take<std::uint8_t>() % 4U));
-  for (float& v : numbers)
-    v = number(input);
+  const auto numbers = numbers_of(input, 8 * (input.take<std::uint8_t>() % 4U));
   auto quadrics = sized<masu_quadrics>(input);
   quadrics.values = numbers.data();
   quadrics.count = numbers.size() / 8;
@@ -111,14 +114,6 @@ masu_grid* built_grid(Input& input, const masu_scene* scene) {
   return grid;
 }
 
-template <class Real>
-std::vector<Real> rays_of(Input& input, std::size_t numbers) {
-  std::vector<Real> rays(numbers);
-  for (Real& r : rays)
-    r = static_cast<Real>(number(input));
-  return rays;
-}
-
 void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, std::uint64_t objects) {
   // Mostly a few; of eight and more eight are traced at a time.
   const auto length = input.take<std::uint8_t>();
@@ -139,7 +134,7 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, st
     options.object_count = masked < 250 ? objects : masked;
   }
   if (masked % 4 > 1) options.ray_masks = ray_masks.data();
-  const std::vector<float> rays = rays_of<float>(input, 8 * count);
+  const std::vector<float> rays = numbers_of(input, 8 * count);
   const std::vector<double> rays64(rays.begin(), rays.end());
   const bool is_float64 = format == MASU_RAYS_FLOAT64 || format == MASU_RAYS_FLOAT64_6;
   const void* const list = is_float64 ? static_cast<const void*>(rays64.data()) : rays.data();
@@ -241,7 +236,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 5: {
       auto moved = sized<masu_vertices>(input);
       moved.count = input.take<std::uint8_t>() % 16U; // as created_scene() has them
-      const std::vector<float> values = rays_of<float>(input, 3 * moved.count);
+      const std::vector<float> values = numbers_of(input, 3 * moved.count);
       moved.values = values.data();
       if (tracer != nullptr) static_cast<void>(masu_tracer_update(tracer, &moved));
       auto primitive = sized<masu_primitive>(input);

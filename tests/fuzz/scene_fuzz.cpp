@@ -1,6 +1,5 @@
 // libFuzzer target: any bytes as a scene file throw Error, or the scene can be traced. Seeds: files made by
 // nff2bin.
-#include "libscene/base/error.h"
 #include "tests/fuzz/repaired.h"
 #include "tests/tracing_probe.h"
 

@@ -7,6 +7,14 @@ mkdir -p "$2" && cd "$2"
 mkdir -p nff_fuzz scene_fuzz grid_fuzz trace_fuzz mesh_fuzz mesh_file_fuzz list_fuzz library_fuzz
 prefixed() { printf '%b' "$1"; cat; } # a byte that selects something, and the text
 
+grids_of() { # a scene, what its grids' names begin with
+  for merge in none x balance irregular; do
+    for division in 1 3x4x5; do
+      "$bin/gridbuild" "$1" -o "$2$merge-$division" --merge $merge --division $division -q
+    done
+  done
+}
+
 for scene in balls gears mount nurbs rings teapot tetra tree; do
   "$bin/nffgen" $scene --size 1 -q > $scene.nff
   head -c 60000 $scene.nff | prefixed '\200' > nff_fuzz/$scene # in small pieces
@@ -25,11 +33,7 @@ NFF
 prefixed '\001' < all.nff > nff_fuzz/all
 for store in float32 float64; do
   "$bin/nff2bin" all.nff -o scene_fuzz/$store --store $store
-  for merge in none x balance irregular; do
-    for division in 1 3x4x5; do
-      "$bin/gridbuild" scene_fuzz/$store -o grid_fuzz/$store-$merge-$division --merge $merge --division $division -q
-    done
-  done
+  grids_of scene_fuzz/$store grid_fuzz/$store-
 done
 "$bin/gridbuild" scene_fuzz/float32 -o grid_fuzz/blocks --merge none --division 160x4x4 -q
 "$bin/nffgen" tetra --size 4 -q | "$bin/nff2bin" - -o tetra.scene -q
@@ -48,11 +52,7 @@ fi
 # As many primitives as trace_fuzz's scene has.
 { grep '^[vblf]' all.nff; echo 'p 3 -2 -2 0 2 -2 0 0 2 0'; grep -A 9 '^pp' all.nff; } > four.nff
 "$bin/nff2bin" four.nff -o four.scene
-for merge in none x balance irregular; do
-  for division in 1 3x4x5; do
-    "$bin/gridbuild" four.scene -o trace_fuzz/$merge-$division --merge $merge --division $division -q
-  done
-done
+grids_of four.scene trace_fuzz/
 "$bin/gridbuild" four.scene -o trace_fuzz/blocks --merge none --division 160x4x4 -q
 "$bin/gridbuild" four.scene -o trace_fuzz/bvh --structure bvh -q
 printf '\001{"name": "a", "from": [0, -5, 1], "at": [0, 0, 0.5], "up": [0, 0, 1], "angle": 30, "size": [64, 48]}\n{}\n' \

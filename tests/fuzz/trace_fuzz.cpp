@@ -1,6 +1,5 @@
 // libFuzzer target: any grid file of a geometry throws Error, or the scene can be traced through it. The grid
 // is bound to a scene of four primitives. Seeds: the grids of grid_fuzz.
-#include "libscene/base/error.h"
 #include "tests/fuzz/repaired.h"
 #include "tests/tiny_scene.h"
 #include "tests/tracing_probe.h"

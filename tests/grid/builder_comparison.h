@@ -33,6 +33,13 @@ protected:
     EXPECT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
     return grid;
   }
+  void expect_same_hierarchies(TestScene<Number>& scene) {
+    StructureOptions options{StructureKind::hierarchy};
+    for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+      options.quality = quality;
+      expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
+    }
+  }
 };
 TYPED_TEST_SUITE_P(BuilderComparison);
 
@@ -108,8 +115,7 @@ void add_triangles(Chance& chance, TestScene<Stored>& scene, int count, int leas
   for (; count > 0; --count) {
     const Vec3d at = chance.in_cube(1);
     const double size = chance.power_of_two(least, most);
-    scene.triangles.push_back(triangle_of(cast<Stored>(at), cast<Stored>(at + chance.in_cube(size)),
-                                          cast<Stored>(at + chance.in_cube(size))));
+    scene.triangles.push_back(triangle_of<Stored>(at, at + chance.in_cube(size), at + chance.in_cube(size)));
   }
 }
 
@@ -118,7 +124,6 @@ void add_triangles(Chance& chance, TestScene<Stored>& scene, int count, int leas
 TYPED_TEST_P(BuilderComparison, AHierarchyOfARoomIsTheSameBytes) {
   using Stored = typename TypeParam::Stored;
   Chance& chance = this->chance_;
-  StructureOptions options{StructureKind::hierarchy};
   for (std::int64_t s = cases(10); s > 0 && !this->HasFailure(); --s) {
     TestScene<Stored> scene;
     for (int axis = 0; axis < 3; ++axis) {
@@ -126,18 +131,13 @@ TYPED_TEST_P(BuilderComparison, AHierarchyOfARoomIsTheSameBytes) {
       along.set((axis + 1) % 3, 2);
       across.set((axis + 2) % 3, 2);
       const Vec3d at{-1, -1, -1}, opposite{1, 1, 1};
-      scene.triangles.push_back(
-          triangle_of(cast<Stored>(at), cast<Stored>(at + along), cast<Stored>(at + across)));
-      scene.triangles.push_back(triangle_of(cast<Stored>(opposite), cast<Stored>(opposite - along),
-                                            cast<Stored>(opposite - across)));
+      scene.triangles.push_back(triangle_of<Stored>(at, at + along, at + across));
+      scene.triangles.push_back(triangle_of<Stored>(opposite, opposite - along, opposite - across));
     }
     const int size = chance.whole(-8, -4);
     add_triangles(chance, scene, chance.whole(1, chance.one_of({300, TypeParam::many})), size,
                   chance.one_in(2) ? size : 0);
-    for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
-      options.quality = quality;
-      this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
-    }
+    this->expect_same_hierarchies(scene);
   }
 }
 
@@ -150,11 +150,7 @@ TYPED_TEST_P(BuilderComparison, AHierarchyOfMuchIsTheSameBytes) {
     scene = scattered_scene<Stored>(chance, 150000);
   else
     add_triangles(chance, scene, chance.whole(1, 150000), -12, 0);
-  StructureOptions options{StructureKind::hierarchy};
-  for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
-    options.quality = quality;
-    this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
-  }
+  this->expect_same_hierarchies(scene);
 }
 
 // Where what may be divided runs out, and where halves are taken: then the order of parts matters.
@@ -164,13 +160,10 @@ TYPED_TEST_P(BuilderComparison, AHierarchyOfWhatOverlapsEverywhereIsTheSameBytes
   for (std::int64_t s = cases(20); s > 0 && !this->HasFailure(); --s) {
     TestScene<Stored> scene;
     const double width = chance.power_of_two(-10, 0); // of a needle
-    const auto polygon = [&] {
+    for (int i = chance.whole(1, TypeParam::many / 4); i > 0; --i) {
       const Vec3d at = chance.in_cube(1), along = chance.in_cube(1);
-      scene.triangles.push_back(triangle_of(cast<Stored>(at - along), cast<Stored>(at + along),
-                                            cast<Stored>(at + chance.in_cube(width))));
-    };
-    for (int i = chance.whole(1, TypeParam::many / 4); i > 0; --i)
-      polygon();
+      scene.triangles.push_back(triangle_of<Stored>(at - along, at + along, at + chance.in_cube(width)));
+    }
     if (chance.one_in(2)) scene.triangles.resize(chance.index(scene.triangles.size()) / 16 + 1);
     if (chance.one_in(2)) repeat_primitives(scene, chance.whole(1, 12)); // coincident ones
     if (chance.one_in(4)) scene.spheres.push_back(sphere_of<Stored>({0, 0, 0}, 1));

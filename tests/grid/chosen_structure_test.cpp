@@ -1,17 +1,23 @@
-// The choice among structures by tracing some rays through each.
+// The choice among structures by tracing some rays through each; and builds that their progress ends, at any
+// time.
 #include "libgrid/structure/chosen_structure.h"
 #include "libgrid/structure/sampled_costs.h"
 #include "libscene/base/error.h"
+#include "libscene/base/parallel.h"
+#include "libscene/base/stopwatch.h"
 #include "tests/random_meshes.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -58,13 +64,11 @@ TestScene<Stored> clusters(Chance& chance) {
   return scene;
 }
 
-constexpr Processor processors[] = {Processor::gpu, Processor::cpu};
-
 TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeClearlyFaster) {
   for (std::int64_t i = cases(50); i > 0; --i) {
     TestScene<TypeParam> scene =
         SceneMaker<TypeParam>(this->chance_, this->chance_.power_of_two(-10, 20)).scene();
-    for (const Processor processor : processors) {
+    for (const Processor processor : {Processor::gpu, Processor::cpu}) {
       const auto time_of = [&](const Structure& grid) {
         return expected_time(sampled_costs(scene.view(), grid), grid.kind, processor);
       };
@@ -154,7 +158,7 @@ std::vector<std::pair<const char*, TestScene<float>>> hard_scenes(Chance& chance
     scenes.emplace_back(name, std::move(scene));
   };
   const auto triangle = [](TestScene<float>& scene, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    scene.triangles.push_back(triangle_of(cast<float>(a), cast<float>(b), cast<float>(c)));
+    scene.triangles.push_back(triangle_of<float>(a, b, c));
   };
   const auto around = [](double turn) { return Vec3d{std::cos(turn), std::sin(turn), 0}; };
   add("ribbon", 150'000, [&](auto& scene, int i) {
@@ -224,14 +228,13 @@ INSTANTIATE_TEST_SUITE_P(OfAllKinds, Choices,
 // A hierarchy of what lies on each other is as slow as anything: its rays are few.
 TYPED_TEST(Fastest, SamplesFewRaysWhereEachTakesLong) {
   TestScene<TypeParam> scene;
-  for (int i = 0; i < 20'000; ++i)
-    scene.triangles.push_back(triangle_of<TypeParam>({0, 0, 0}, {1, 0, 0.1F}, {0, 1, 0.3F}));
-  const SampledCosts all = sampled_costs(scene.view(), built(scene, StructureKind::hierarchy), {64});
-  const SampledCosts some =
-      sampled_costs(scene.view(), built(scene, StructureKind::hierarchy), {2048, all.work});
+  scene.triangles.assign(20'000, triangle_of<TypeParam>({0, 0, 0}, {1, 0, 0.1F}, {0, 1, 0.3F}));
+  const Structure hierarchy = built(scene, StructureKind::hierarchy);
+  const SampledCosts all = sampled_costs(scene.view(), hierarchy, {64}),
+                     some = sampled_costs(scene.view(), hierarchy, {2048, all.work});
   EXPECT_EQ(all.rays, 64U);
   EXPECT_EQ(some.rays, 128U);
-  EXPECT_EQ(sampled_costs(scene.view(), built(scene, StructureKind::hierarchy), {64, 0}).rays, 16U);
+  EXPECT_EQ(sampled_costs(scene.view(), hierarchy, {64, 0}).rays, 16U);
 }
 
 TEST(FastestAnywhere, IsAGridWhereNoHierarchyReaches) {
@@ -283,6 +286,113 @@ TEST_F(HierarchyOfMeshesInMemory, IsThatOfTheirTrianglesWrittenOut) {
     ASSERT_EQ(built_in_memory(file, options).hash(), expected.hash());
     ASSERT_EQ(file.unmade_triangles(), nullptr);
     ASSERT_EQ(built_in_memory(file, options).hash(), expected.hash()) << "of triangles that are made";
+  }
+}
+
+// --- Builds that are ended -------------------------------------------------------------------------------
+
+struct Ended {};
+
+template <class Stored>
+class EndedBuild : public RandomTest {
+protected:
+  EndedBuild() { add_triangles(scene_, chance_, 4000, 0.05); }
+  Structure built(const BuildOptions& options, const std::function<void(double)>& progress) {
+    return build_chosen(*cpu_builder(scene_.view(), progress), {scene_.bounds(), Hash{1, 2}}, options).grid;
+  }
+  std::vector<BuildOptions> all_options() const {
+    std::vector<BuildOptions> all;
+    for (const StructureKind kind :
+         {StructureKind::uniform, StructureKind::x, StructureKind::balance, StructureKind::irregular,
+          StructureKind::hierarchy, StructureKind::automatic, StructureKind::fastest})
+      all.emplace_back().structure.kind = kind;
+    all.push_back(fast_hierarchy_options());
+    return all;
+  }
+
+  TestScene<Stored> scene_;
+};
+TYPED_TEST_SUITE(EndedBuild, Reals);
+
+TYPED_TEST(EndedBuild, ThrowsWhatItsProgressThrowsAndTheNextIsAsEver) {
+  for (const BuildOptions& options : this->all_options()) {
+    SCOPED_TRACE(static_cast<int>(options.structure.kind));
+    std::atomic<int> reports = 0;
+    std::atomic<bool> in_range = true;
+    const Structure expected = this->built(options, {});
+    expect_same(expected, this->built(options, [&](double done) {
+      ++reports;
+      if (!(done >= 0 && done <= 1)) in_range = false;
+    }));
+    EXPECT_TRUE(in_range);
+    EXPECT_GT(reports, 20);
+    for (int i = 0; i < 8; ++i) {
+      std::atomic<int> left = this->chance_.whole(1, reports / 2); // with threads there may be some less
+      const auto end = [&](double) {
+        if (--left <= 0) throw Ended();
+      };
+      EXPECT_THROW(static_cast<void>(this->built(options, end)), Ended);
+    }
+    expect_same(expected, this->built(options, {}));
+  }
+}
+
+TEST(ParallelWork, ThrowsWherePartOfItIsLeftOut) {
+  const auto done_of = [](std::size_t tasks) {
+    std::atomic<int> done = 0;
+    parallel_for(tasks, [&](std::size_t) { ++done; });
+    return done.load();
+  };
+  EXPECT_EQ(done_of(1000), 1000);
+  tbb::task_group_context outer;
+  tbb::parallel_for(
+      0, 1,
+      [&](int) {
+        EXPECT_EQ(done_of(1000), 1000);
+        outer.cancel_group_execution();
+        EXPECT_THROW(static_cast<void>(done_of(1000)), Error);
+      },
+      outer);
+}
+
+// So many that threads share nodes, too: what one has ended must not be gone on with by another.
+TYPED_TEST(EndedBuild, OfAHierarchyOfManyTrianglesEndsAtAnyMoment) {
+  add_triangles(this->scene_, this->chance_, 250'000, 0.05);
+  const std::thread::id caller = std::this_thread::get_id(); // the others learn of it from TBB alone
+  for (const HierarchyQuality quality : {HierarchyQuality::fast, HierarchyQuality::high}) {
+    BuildOptions options;
+    options.structure = {StructureKind::hierarchy};
+    options.structure.quality = quality;
+    const Stopwatch watch;
+    const Structure expected = this->built(options, {});
+    const double whole = watch.seconds();
+    int ended = 0;
+    for (std::int64_t i = cases(5); i > 0; --i) {
+      const double end = watch.seconds() + (ended > 0 ? this->chance_.uniform(0, whole) : 0);
+      try {
+        this->built(options, [&](double) {
+          if (std::this_thread::get_id() == caller && watch.seconds() > end) throw Ended();
+        });
+      } catch (const Ended&) {
+        ++ended;
+      }
+    }
+    EXPECT_GT(ended, 0);
+    expect_same(expected, this->built(options, {}));
+  }
+}
+
+TYPED_TEST(EndedBuild, SharesOfWhatIsDoneRise) {
+  for (const BuildOptions& options : this->all_options()) {
+    SCOPED_TRACE(static_cast<int>(options.structure.kind));
+    made_by_threads(1, [&] {
+      double last = 0;
+      this->built(options, [&](double done) {
+        EXPECT_GE(done, last);
+        last = done;
+      });
+      return last;
+    });
   }
 }
 

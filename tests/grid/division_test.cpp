@@ -157,17 +157,21 @@ TestScene<float> scattered(Chance& chance, int triangles, double size) {
   return scene;
 }
 
+// Between so many times what is made.
+void expect_about_the_references_made(TestScene<float>& scene, const Vec3i& division, double least,
+                                      double most) {
+  const auto layout = layout_in<float>(scene.bounds(), division);
+  const SceneView<float> view = scene.view();
+  const double expected = expected_references(division_statistics(view).all, layout);
+  const auto made = static_cast<double>(build_structure(view, layout, Overlap::exact).references.size());
+  EXPECT_TRUE(expected > made * least && expected < made * most)
+      << expected << ", made " << made << ": " << division.x << ' ' << division.y << ' ' << division.z;
+}
+
 TEST_F(CostModel, ExpectsAboutTheReferencesThatAreMade) {
   for (std::int64_t i = cases(20); i > 0; --i) {
     TestScene<float> scene = scattered(chance_, 2000, chance_.power_of_two(-6, -1));
-    const auto layout = layout_in<float>(scene.bounds(), random_division(chance_, 40));
-    const SceneView<float> view = scene.view();
-    const double expected = expected_references(division_statistics(view).all, layout);
-    const auto made = static_cast<double>(build_structure(view, layout, Overlap::exact).references.size());
-    EXPECT_GT(expected, made * 0.85) << layout.division.x << ' ' << layout.division.y << ' '
-                                     << layout.division.z;
-    EXPECT_LT(expected, made * 1.25) << layout.division.x << ' ' << layout.division.y << ' '
-                                     << layout.division.z;
+    expect_about_the_references_made(scene, random_division(chance_, 40), 0.85, 1.25);
   }
 }
 
@@ -176,17 +180,10 @@ TEST_F(CostModel, ExpectsTheReferencesThatTheMarginMakes) {
   for (std::int64_t i = cases(20); i > 0; --i) {
     const double size = chance_.power_of_two(-10, -2), far = chance_.power_of_two(4, 12);
     TestScene<float> scene = scattered(chance_, 300, size);
-    for (Triangle<float>& t : scene.triangles) {
-      for (Vec3f* const corner : {&t.a, &t.b, &t.c})
-        corner->x += static_cast<float>(far);
-    }
-    const SceneView<float> view = scene.view();
+    for_each_points(scene, [&](auto&... corners) { ((corners.x += static_cast<float>(far)), ...); });
     const auto most = static_cast<int>(std::min(40.0, 4 / rounding_margin<float>(scene.bounds())));
-    const auto layout = layout_in<float>(scene.bounds(), random_division(chance_, std::max(2, most)));
-    const double expected = expected_references(division_statistics(view).all, layout);
-    const auto made = static_cast<double>(build_structure(view, layout, Overlap::exact).references.size());
-    EXPECT_GT(expected, made * 0.8) << "size " << size << " at " << far;
-    EXPECT_LT(expected, made * 1.6) << "size " << size << " at " << far;
+    SCOPED_TRACE(testing::Message() << "size " << size << " at " << far);
+    expect_about_the_references_made(scene, random_division(chance_, std::max(2, most)), 0.8, 1.6);
   }
 }
 
@@ -236,10 +233,7 @@ TEST_F(AutomaticDivision, GrowsWithTheNumberOfPrimitives) {
 
 TEST_F(AutomaticDivision, HasVoxelsOfAboutEqualSides) {
   TestScene<float> scene = scattered(chance_, 5000, 0.05);
-  for (Triangle<float>& t : scene.triangles) {
-    for (Vec3f* const corner : {&t.a, &t.b, &t.c})
-      *corner = {corner->x * 4, corner->y * 2, corner->z};
-  }
+  for_each_points(scene, [](auto&... corners) { ((corners = corners * Vec3f{4, 2, 1}), ...); });
   const Vec3d side = voxel_size(automatic_layout(scene));
   EXPECT_NEAR(side.x / side.z, 1, 0.2);
   EXPECT_NEAR(side.y / side.z, 1, 0.2);

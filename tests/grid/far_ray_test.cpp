@@ -168,8 +168,7 @@ TestScene<Real> small_scene(Chance& chance) {
   for (int i = chance.whole(1, 3); i > 0; --i) {
     const Vec3d at = chance.in_cube(scale);
     const auto corner = [&] { return at + chance.in_cube(scale / 2); };
-    scene.triangles.push_back(
-        triangle_of<Real>(cast<Real>(corner()), cast<Real>(corner()), cast<Real>(corner())));
+    scene.triangles.push_back(triangle_of<Real>(corner(), corner(), corner()));
     scene.spheres.push_back(sphere_of<Real>(chance.in_cube(scale), scale * chance.uniform(0.05, 0.5)));
     scene.cones.push_back(cone_of<Real>(corner(), scale * chance.uniform(0.1, 0.3), corner(),
                                         scale * chance.uniform(0.1, 0.3)));

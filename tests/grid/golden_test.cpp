@@ -47,12 +47,6 @@ TEST_P(GoldenFile, IsWrittenByteForByte) {
 INSTANTIATE_TEST_SUITE_P(All, GoldenFile, testing::ValuesIn(tiny_files()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-std::string written_golden(const TemporaryFolder& folder, const char* hex) {
-  const std::string path = folder.file("golden");
-  write_bytes(path, bytes_of_hex_lines(hex));
-  return path;
-}
-
 Vec3d vector_of(const fb::Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
@@ -119,16 +113,25 @@ void expect_tiny_scene(const SceneFile& file) {
   EXPECT_EQ(lighting.background, scene.background);
 }
 
-TEST(GoldenFileReading, Float32SceneIsRead) {
-  const TemporaryFolder folder;
-  const SceneFile file(written_golden(folder, golden_scene_float32));
+class GoldenFileReading : public testing::Test {
+protected:
+  std::string written(const char* hex) const {
+    write_bytes(path_, bytes_of_hex_lines(hex));
+    return path_;
+  }
+
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_.file("golden");
+};
+
+TEST_F(GoldenFileReading, Float32SceneIsRead) {
+  const SceneFile file(written(golden_scene_float32));
   ASSERT_FALSE(file.is_float64());
   expect_tiny_scene<float>(file);
 }
 
-TEST(GoldenFileReading, Float64SceneIsRead) {
-  const TemporaryFolder folder;
-  const SceneFile file(written_golden(folder, golden_scene_float64));
+TEST_F(GoldenFileReading, Float64SceneIsRead) {
+  const SceneFile file(written(golden_scene_float64));
   ASSERT_TRUE(file.is_float64());
   expect_tiny_scene<double>(file);
 }
@@ -156,46 +159,37 @@ void expect_grid(const StructureFile& file, const Structure& grid) {
   EXPECT_TRUE(same_values(file.nodes(), grid.nodes));
 }
 
-TEST(GoldenFileReading, GridIsRead) {
-  const TemporaryFolder folder;
-  expect_grid(StructureFile(written_golden(folder, golden_grid)), tiny_grid());
+TEST_F(GoldenFileReading, GridIsRead) {
+  expect_grid(StructureFile(written(golden_grid)), tiny_grid());
 }
 
-TEST(GoldenFileReading, GridOfBlocksIsRead) {
-  const TemporaryFolder folder;
-  const StructureFile file(written_golden(folder, golden_grid_of_blocks));
+TEST_F(GoldenFileReading, GridOfBlocksIsRead) {
+  const StructureFile file(written(golden_grid_of_blocks));
   expect_grid(file, tiny_grid_of_blocks());
   const GridView<float> view = view_of<float>(file.records());
-  EXPECT_EQ(look_up(view, {0, 0, 0}).word, occupied_bit | 0);
-  EXPECT_EQ(look_up(view, {1, 0, 0}).word, occupied_bit | 1);
-  EXPECT_EQ(look_up(view, {2, 0, 0}).word, 0U);
+  const std::uint32_t words[]{occupied_bit | 0, occupied_bit | 1, 0, 0, occupied_bit | 3};
+  for (const std::int32_t x : {0, 1, 2, 4})
+    EXPECT_EQ(look_up(view, {x, 0, 0}).word, words[x]) << x;
   EXPECT_EQ(look_up(view, {2, 0, 0}).side_log2, 1);
-  EXPECT_EQ(look_up(view, {4, 0, 0}).word, occupied_bit | 3);
 }
 
-TEST(GoldenFileReading, MergedGridIsRead) {
-  const TemporaryFolder folder;
-  const StructureFile file(written_golden(folder, golden_merged_grid));
+TEST_F(GoldenFileReading, MergedGridIsRead) {
+  const StructureFile file(written(golden_merged_grid));
   expect_grid(file, tiny_merged_grid());
   const MergedGridView<float> view = merged_view_of<float>(file.records());
   EXPECT_EQ(view.division, (Vec3i{8, 4, 4}));
   EXPECT_EQ(view.voxel_size, (Vec3f{0.5F, 1, 0.5F}));
-  const auto cell_of = [&](const Vec3i& voxel) { return cell_number(view, voxel) | occupied_bit; };
-  EXPECT_EQ(cell_of({0, 1, 1}), occupied_bit | 0);
-  EXPECT_EQ(cell_of({1, 0, 1}), occupied_bit | 1);
-  EXPECT_EQ(cell_of({3, 1, 3}), occupied_bit | 2);
-  EXPECT_EQ(cell_of({1, 2, 0}), occupied_bit | 3);
-  EXPECT_EQ(cell_of({1, 1, 2}), occupied_bit | 4);
-  EXPECT_EQ(cell_of({4, 0, 0}), occupied_bit | 5);
+  const Vec3i in_cells[]{{0, 1, 1}, {1, 0, 1}, {3, 1, 3}, {1, 2, 0}, {1, 1, 2}, {4, 0, 0}};
+  for (std::uint32_t cell = 0; cell < std::size(in_cells); ++cell)
+    EXPECT_EQ(cell_number(view, in_cells[cell]), cell);
   const CellView up = cell_at(view, {2, 0, 0}, {0, 0, 0}), down = cell_at(view, {2, 0, 0}, {-1, -1, -1});
   EXPECT_EQ(up.list, 1U);
   EXPECT_EQ(up.far, (Vec3i{8, 2, 4}));
   EXPECT_EQ(down.far, (Vec3i{2, 0, 0}));
 }
 
-TEST(GoldenFileReading, HierarchyIsRead) {
-  const TemporaryFolder folder;
-  const StructureFile file(written_golden(folder, golden_hierarchy));
+TEST_F(GoldenFileReading, HierarchyIsRead) {
+  const StructureFile file(written(golden_hierarchy));
   expect_grid(file, tiny_hierarchy());
   EXPECT_TRUE(file.is_hierarchy());
   EXPECT_FALSE(file.is_merged());
@@ -206,13 +200,11 @@ TEST(GoldenFileReading, HierarchyIsRead) {
 }
 
 // Said in one line, with what to do.
-TEST(GoldenFileReading, AnOlderVersionIsRefused) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("old.grid");
+TEST_F(GoldenFileReading, AnOlderVersionIsRefused) {
   Bytes bytes = bytes_of_hex_lines(golden_grid);
   bytes[8] = 3;
-  write_bytes(path, bytes);
-  EXPECT_TRUE(is_refused([](const std::string& name) { const StructureFile file(name); }, path,
+  write_bytes(path_, bytes);
+  EXPECT_TRUE(is_refused([](const std::string& name) { const StructureFile file(name); }, path_,
                          "build it again with gridbuild"));
 }
 

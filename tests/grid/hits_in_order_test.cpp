@@ -1,6 +1,8 @@
-// All hits of a ray: the same for every structure, and each crossing of a closed mesh once.
+// All hits of a ray: the same for every structure, and each crossing of a closed mesh once. And those between
+// its limits, t_min and t_max: they are compared with t as it is reported, which doesn't depend on them,
+// through every structure and none, of every primitive, and for every query.
 #include "libgrid/trace/hits_in_order.h"
-#include "renderer/counts.h"
+#include "renderer/rays/ray_query.h"
 #include "stability/closed_mesh.h"
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
@@ -10,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 #include <vector>
 
@@ -21,8 +24,7 @@ struct Crossing {
   Real t;
   PrimitiveIndex primitive;
   bool front;
-  auto key() const { return std::tuple(t, primitive, !front); }
-  bool operator==(const Crossing& other) const { return key() == other.key(); }
+  bool operator==(const Crossing&) const = default;
 };
 
 template <class Real>
@@ -90,14 +92,12 @@ protected:
   std::vector<std::uint32_t> masks_ = std::vector<std::uint32_t>(5);
   // Through a random grid and a hierarchy, as they are and as structures known when they are traced.
   template <class Act>
-  void with_structures(TestScene<Real>& scene, const Structure& grid, const Structure& hierarchy,
-                       const Act& act) {
+  void with_structures(const Structure& grid, const Structure& hierarchy, const Act& act) {
     for (const Structure* const structure : {&grid, &hierarchy}) {
       with_structure_view<Real>(*structure, act);
       act(any_structure<Real>(*structure));
     }
     act(AnyStructure<Real>{});
-    static_cast<void>(scene);
   }
 };
 TYPED_TEST_SUITE(HitsInOrder, Reals);
@@ -120,9 +120,8 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
     }
     const SceneView<Real> view = scene.view();
     this->number_objects(scene);
-    const Boxd bounds = scene.bounds();
-    const Structure grid = random_grid(chance, view, bounds), hierarchy = hierarchy_of(scene);
-    RayMaker<Real> rays(chance, scene, bounds, grid);
+    const Structure grid = random_grid(chance, view, scene.bounds()), hierarchy = hierarchy_of(scene);
+    RayMaker<Real> rays(chance, scene, scene.bounds(), grid);
     for (int r = 0; r < 60; ++r) {
       const Ray<Real> ray = rays.ray();
       const HitFilter filter = this->filter(view);
@@ -139,7 +138,7 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
       first.resize(std::min<std::size_t>(first.size(), limit));
       hits += first.size();
       many += first.size() > hits_per_pass ? 1 : 0;
-      this->with_structures(scene, grid, hierarchy, [&](const auto& structure) {
+      this->with_structures(grid, hierarchy, [&](const auto& structure) {
         ASSERT_EQ(list_along(view, structure, ray, filter, limit), first)
             << described(ray.origin, ray.direction) << ' ' << described(grid);
       });
@@ -168,8 +167,7 @@ TYPED_TEST(HitsInOrder, TakeAFewPassesHoweverManyThereAre) {
       TestScene<Real> scene;
       for (std::uint32_t i = 0; i < n; ++i) {
         const double z = apart * ((i * 7919U) % n); // in no order
-        scene.triangles.push_back(triangle_of<Real>(
-            {-1, -1, static_cast<Real>(z)}, {2, -1, static_cast<Real>(z)}, {-1, 2, static_cast<Real>(z)}));
+        scene.triangles.push_back(triangle_of<Real>(Vec3d{-1, -1, z}, Vec3d{2, -1, z}, Vec3d{-1, 2, z}));
       }
       const SceneView<Real> view = scene.view();
       const Ray<Real> ray = unbounded_ray<Real>({0, 0, -1}, {0, 0, 1});
@@ -267,6 +265,132 @@ TYPED_TEST(HitsInOrder, EnterAndLeaveSpheresAndCones) {
     EXPECT_EQ(all[i].front, expected[i].front) << i;
   }
   EXPECT_EQ(hits(0).size(), 5U);
+}
+
+// --- Limits ----------------------------------------------------------------------------------------------
+
+template <class Real>
+class RayLimits : public RandomTest {
+protected:
+  // Random bits: of any magnitude, not negative, finite.
+  Real number() {
+    for (;;) {
+      const auto value = std::bit_cast<Real>(static_cast<decltype(bits_of(Real{}))>(chance_.engine()()));
+      if (value >= 0 && value < RealTraits<Real>::largest / 4) return value;
+    }
+  }
+};
+TYPED_TEST_SUITE(RayLimits, Reals);
+
+TYPED_TEST(RayLimits, AreReachedByTheLeastNumberWhoseRoundedSumReachesThem) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  for (std::int64_t i = cases(200'000); i > 0; --i) {
+    const Real skipped = this->number();
+    Real t = chance.one_in(2) ? this->number() : skipped * static_cast<Real>(chance.uniform(1, 4));
+    for (int steps = chance.one_in(3) ? chance.whole(0, 4) : 0; steps > 0; --steps)
+      t = next_above(chance.one_in(2) ? skipped : t);
+    const Real found = first_reaching(t, skipped);
+    ASSERT_TRUE(found >= 0 && found + skipped >= t) << described(t) << ' ' << described(skipped);
+    ASSERT_TRUE(found == 0 || next_below(found) + skipped < t) << described(t) << ' ' << described(skipped);
+  }
+}
+
+// Of faces of either side, with their edges.
+template <class Real, class Structure>
+std::vector<Hit<Real>> closed_hits(const SceneView<Real>& scene, const Structure& structure,
+                                   const Ray<Real>& ray) {
+  std::vector<Hit<Real>> hits;
+  hits_in_order<Robust<Real>>(
+      scene, structure, ray, {Faces::both, EdgeRule::closed}, no_primitive,
+      [&](std::uint32_t, const auto& near, bool) { hits.push_back(relative_to_origin(near)); });
+  return hits;
+}
+
+TYPED_TEST(RayLimits, AreComparedWithTheReportedT) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  std::size_t beyond = 0, between = 0, ties = 0;
+  for (std::int64_t s = cases(300); s > 0; --s) {
+    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
+    if (scene.count() == 0) continue;
+    if (chance.one_in(2)) repeat_primitives(scene, 1);
+    const SceneView<Real> view = scene.view();
+    const Structure grid = random_grid(chance, view, scene.bounds()), hierarchy = hierarchy_of(scene);
+    RayMaker<Real> rays(chance, scene, scene.bounds(), grid);
+    for (int r = 0; r < 40; ++r) {
+      Ray<Real> ray = rays.ray();
+      ray.t_max = RealTraits<Real>::largest;
+      // What it hits, whatever its limits.
+      std::vector<Hit<Real>> all = closed_hits(view, NoStructure{}, ray);
+      if (all.empty()) continue;
+      const auto limit = [&] {
+        const Real t = all[chance.index(all.size())].t;
+        return chance.one_in(4) ? next_above(t) : chance.one_in(4) ? next_below(t) : t;
+      };
+      if (chance.one_in(2)) ray.t_min = limit();
+      if (chance.one_in(2)) ray.t_max = limit();
+      std::erase_if(all, [&](const Hit<Real>& hit) { return !(ray.t_min < hit.t && hit.t < ray.t_max); });
+      beyond += all.empty();
+      between += !all.empty();
+      ties += all.size() > 1 && all[0].t == all[1].t;
+      const auto same = [](const Hit<Real>& a, const Hit<Real>& b) {
+        return same_bits(a.t, b.t) && a.primitive == b.primitive;
+      };
+      const auto check = [&](const auto& structure) {
+        const testing::Message of = testing::Message()
+                                    << described(ray.origin, ray.direction) << " from "
+                                    << described(ray.t_min) << " to " << described(ray.t_max) << '\n'
+                                    << described(scene);
+        NoCounts counts;
+        const Hit<Real> nearest = nearest_hit<Robust<Real>>(view, structure, ray, counts);
+        ASSERT_EQ(nearest.primitive != no_primitive, !all.empty()) << of;
+        ASSERT_TRUE(all.empty() ? same_bits(nearest.t, ray.t_max) : same(nearest, all[0])) << of;
+        ASSERT_EQ(is_occluded<Robust<Real>>(view, structure, ray, counts), !all.empty()) << of;
+        ASSERT_TRUE(std::ranges::equal(closed_hits(view, structure, ray), all, same)) << of;
+      };
+      check(NoStructure{});
+      with_structure_view<Real>(grid, check);
+      with_structure_view<Real>(hierarchy, check);
+    }
+  }
+  EXPECT_GT(beyond, 500U);
+  EXPECT_GT(between, 500U);
+  EXPECT_GT(ties, 100U);
+}
+
+using ListedLimits = RandomTest;
+
+// Of a list in float32 t is float32, too, whatever the arithmetic.
+TEST_F(ListedLimits, OfFloat32AreComparedWithTAsFloat32) {
+  std::size_t hits = 0, again = 0;
+  for (std::int64_t s = cases(300); s > 0; --s) {
+    TestScene<double> scene = SceneMaker<double>(chance_, chance_.power_of_two(-10, 20)).scene();
+    if (scene.count() == 0) continue;
+    const SceneView<double> view = scene.view();
+    const Structure hierarchy = hierarchy_of(scene);
+    RayMaker<double> rays(chance_, scene, scene.bounds(), hierarchy);
+    for (int r = 0; r < 40; ++r) {
+      const Ray<double> made = rays.ray();
+      if (largest_magnitude(made.origin) > 1e30) continue; // t would be infinite as float32
+      Ray<float> ray{cast<float>(made.origin), 0, cast<float>(made.direction), INFINITY};
+      const auto traced = [&] {
+        NoCounts counts;
+        const Ray<double> loaded = masu::loaded<double>(&ray, own_format<float>, 0);
+        return trace_listed<Query::nearest_hit, Robust<double>>(view, NoStructure{}, loaded, counts);
+      };
+      const Hit<float> first = traced();
+      if (first.primitive == no_primitive) continue;
+      (chance_.one_in(2) ? ray.t_min : ray.t_max) = first.t;
+      const Hit<float> second = traced();
+      ++hits;
+      again += second.primitive != no_primitive;
+      ASSERT_TRUE(second.primitive == no_primitive || (ray.t_min < second.t && second.t < ray.t_max))
+          << described(made.origin, made.direction) << ' ' << described(second.t);
+    }
+  }
+  EXPECT_GT(hits, 500U);
+  EXPECT_GT(again, 50U);
 }
 
 } // namespace

@@ -222,15 +222,8 @@ void misalign_sections(Bytes& table) {
   std::memcpy(table.data() + field, &offset, sizeof offset);
 }
 
-TEST(HostileTable, MisalignedListOfSectionsIsRefused) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("hostile.scene");
-  write_scene(tiny_scene(), Store::float32, path);
-  SceneParts parts(path);
-  parts.damage_table = misalign_sections;
-  parts.write(path);
-  EXPECT_TRUE(is_refused_as<SceneFile>(path));
-}
+INSTANTIATE_TEST_SUITE_P(Alignment, HostileScene,
+                         testing::Values(table<P>("MisalignedListOfSections", misalign_sections)), by_name);
 
 TEST(HostileFloat64Scene, IndicesBeyond32BitsAreRefused) {
   const TemporaryFolder folder;
@@ -267,15 +260,12 @@ WrongGrid space(const char* name, const fb::Box& box) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lists, HostileGrid,
-    testing::Values(word("LastWithoutEnd", StructureSection::references, 4, 2),
-                    word("SharedByVoxels", StructureSection::voxel_map, 0, occupied_bit | 1),
-                    without("None", StructureSection::references),
-                    word("OneMoreWithoutEnd", StructureSection::references, 5, 0),
-                    word("SeveralMoreWithoutEnd", StructureSection::references, 9, 0),
-                    word("ReferenceBeyond", StructureSection::references, 1, 4),
-                    word("LastReferenceBeyond", StructureSection::references, 2, 4 | last_bit),
-                    word("ReferenceFarBeyond", StructureSection::references, 1, 0x7fffffff),
-                    word("ReferenceToNoPrimitive", StructureSection::references, 0, no_primitive),
+    testing::Values(in_lists("LastWithoutEnd", 4, 2), in_map("SharedByVoxels", 0, occupied_bit | 1),
+                    without("None", StructureSection::references), in_lists("OneMoreWithoutEnd", 5, 0),
+                    in_lists("SeveralMoreWithoutEnd", 9, 0), in_lists("ReferenceBeyond", 1, 4),
+                    in_lists("LastReferenceBeyond", 2, 4 | last_bit),
+                    in_lists("ReferenceFarBeyond", 1, 0x7fffffff),
+                    in_lists("ReferenceToNoPrimitive", 0, no_primitive),
                     set("OfASceneWithFewerPrimitives", &G::primitives, 3),
                     set("OfASceneWithNone", &G::primitives, 0),
                     set("OriginNaN", &G::origin, fb::Vec3(nan, 0, 0)),
@@ -285,10 +275,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Map, HostileGrid,
-    testing::Values(word("ListBeyond", StructureSection::voxel_map, 1, occupied_bit | 5),
-                    word("ListFarBeyond", StructureSection::voxel_map, 3, 0xffffffff),
-                    word("EmptyWithANumber", StructureSection::voxel_map, 2, 1),
-                    word("TooLarge", StructureSection::voxel_map, 4, 0),
+    testing::Values(in_map("ListBeyond", 1, occupied_bit | 5), in_map("ListFarBeyond", 3, 0xffffffff),
+                    in_map("EmptyWithANumber", 2, 1), in_map("TooLarge", 4, 0),
                     resized("TooSmall", StructureSection::voxel_map, 12),
                     without("Missing", StructureSection::voxel_map), blocks("InBlocks", 1),
                     blocks("InLargeBlocks", 5), blocks("InBlocksTooLarge", 6), blocks("InBlocksOf31Bits", 31),
@@ -324,13 +312,10 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Map, HostileGridOfBlocks,
-    testing::Values(word("BlockBeyond", StructureSection::voxel_map, 1, occupied_bit | 2),
-                    word("BlockFarBeyond", StructureSection::voxel_map, 0, 0xffffffff),
-                    word("BlocksShared", StructureSection::voxel_map, 1, occupied_bit | 1),
-                    word("EmptyBlockWithANumber", StructureSection::voxel_map, 1, 1),
-                    word("ListBeyond", StructureSection::voxel_map, 3, occupied_bit | 5),
-                    word("EmptyVoxelWithANumber", StructureSection::voxel_map, 5, 2),
-                    word("OneWordTooMany", StructureSection::voxel_map, 19, 0),
+    testing::Values(in_map("BlockBeyond", 1, occupied_bit | 2), in_map("BlockFarBeyond", 0, 0xffffffff),
+                    in_map("BlocksShared", 1, occupied_bit | 1), in_map("EmptyBlockWithANumber", 1, 1),
+                    in_map("ListBeyond", 3, occupied_bit | 5), in_map("EmptyVoxelWithANumber", 5, 2),
+                    in_map("OneWordTooMany", 19, 0),
                     resized("OneWordTooFew", StructureSection::voxel_map, 18 * 4),
                     resized("NoBlockMaps", StructureSection::voxel_map, 3 * 4),
                     resized("FewerWordsThanBlocks", StructureSection::voxel_map, 2 * 4),

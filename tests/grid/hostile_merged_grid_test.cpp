@@ -19,9 +19,6 @@ TEST(UncheckedGrid, IsRefusedByTheCpuBeforeTracing) {
   EXPECT_TRUE(is_refused_by_tracer(Device::cpu));
 }
 
-WrongGrid map(const char* name, std::size_t i, std::uint32_t value) {
-  return word(name, StructureSection::voxel_map, i, value);
-}
 WrongGrid map_of(const char* name, std::size_t words) {
   return resized(name, StructureSection::voxel_map, 4 * words);
 }
@@ -41,22 +38,23 @@ WrongGrid nested(const char* name, std::uint32_t log2) {
 INSTANTIATE_TEST_SUITE_P(
     Map, HostileMergedGrid,
     testing::Values(
-        map("CellBeyond", 1, occupied_bit | 6), map("CellFarBeyond", 1, 0xffffffff),
-        map("NestedCellBeyond", 20, occupied_bit | 6), //
-        map("CellElsewhere", 1, occupied_bit | 0), map("CellOfPartOfTheCube", 0, occupied_bit | 3),
-        map("CellOfTheNextVoxel", 16, occupied_bit | 1), map("CellOfPartOfANestedCube", 8, occupied_bit | 0),
-        map("MapBeyond", 0, divided(24, 1)), map("MapFarBeyond", 0, (occupied_bit - 64) | divided(0, 1)),
-        map("NestedMapBeyond", 8, divided(24, 1)), map("SideZero", 0, divided(8, 0)), map("NoWord", 0, 0),
-        map("NestedSideZero", 8, divided(16, 0)), map("SideTooLong", 0, divided(8, 3)),
-        map("NestedSideTooLong", 8, divided(16, 2)), map("LongestSide", 0, divided(8, 3)),
-        map("MapOfItself", 8, divided(8, 1)), map("MapOfTheTop", 8, divided(0, 1)),
-        map("MapForASingleVoxel", 16, divided(8, 1)), map("MapOfItselfForASingleVoxel", 16, divided(16, 1)),
-        map("TheSameMapTwice", 1, divided(8, 1)), map_of("OneWordTooFew", 23), map_of("NothingNested", 8),
-        map_of("FewerWordsThanCubes", 1), without("Missing", StructureSection::voxel_map),
-        nested("NotNested", 0), nested("NestedLess", 1), nested("NestedMore", 3), nested("NestedTooMuch", 15),
-        nested("NestedBeyondNumbers", 16), nested("NestedBy31Bits", 31), nested("NestedBy32Bits", 32),
-        nested("NestedByAllBits", 0xffffffff), division("OneCubeMore", 3, 1, 1),
-        division("OneCubeLess", 1, 1, 1), division("OtherAxes", 1, 2, 1),
+        in_map("CellBeyond", 1, occupied_bit | 6), in_map("CellFarBeyond", 1, 0xffffffff),
+        in_map("NestedCellBeyond", 20, occupied_bit | 6), in_map("CellElsewhere", 1, occupied_bit | 0),
+        in_map("CellOfPartOfTheCube", 0, occupied_bit | 3),
+        in_map("CellOfTheNextVoxel", 16, occupied_bit | 1),
+        in_map("CellOfPartOfANestedCube", 8, occupied_bit | 0), in_map("MapBeyond", 0, divided(24, 1)),
+        in_map("MapFarBeyond", 0, (occupied_bit - 64) | divided(0, 1)),
+        in_map("NestedMapBeyond", 8, divided(24, 1)), in_map("SideZero", 0, divided(8, 0)),
+        in_map("NoWord", 0, 0), in_map("NestedSideZero", 8, divided(16, 0)),
+        in_map("SideTooLong", 0, divided(8, 3)), in_map("NestedSideTooLong", 8, divided(16, 2)),
+        in_map("LongestSide", 0, divided(8, 3)), in_map("MapOfItself", 8, divided(8, 1)),
+        in_map("MapOfTheTop", 8, divided(0, 1)), in_map("MapForASingleVoxel", 16, divided(8, 1)),
+        in_map("MapOfItselfForASingleVoxel", 16, divided(16, 1)), in_map("TheSameMapTwice", 1, divided(8, 1)),
+        map_of("OneWordTooFew", 23), map_of("NothingNested", 8), map_of("FewerWordsThanCubes", 1),
+        without("Missing", StructureSection::voxel_map), nested("NotNested", 0), nested("NestedLess", 1),
+        nested("NestedMore", 3), nested("NestedTooMuch", 15), nested("NestedBeyondNumbers", 16),
+        nested("NestedBy31Bits", 31), nested("NestedBy32Bits", 32), nested("NestedByAllBits", 0xffffffff),
+        division("OneCubeMore", 3, 1, 1), division("OneCubeLess", 1, 1, 1), division("OtherAxes", 1, 2, 1),
         division("TooFineWhenNested", 65535, 1, 1), division("Zero", 0, 1, 1),
         division("Overflowing", 65535, 65535, 65535), blocks("InBlocksTooLarge", 6)),
     by_name);
@@ -77,16 +75,13 @@ INSTANTIATE_TEST_SUITE_P(
                     merged_as("MergedInTheLastWay", 255)),
     by_name);
 
-INSTANTIATE_TEST_SUITE_P(Lists, HostileMergedGrid,
-                         testing::Values(word("LastWithoutEnd", StructureSection::references, 4, 2),
-                                         word("SharedByCells", StructureSection::cells, 3, 1),
-                                         word("ReferenceBeyond", StructureSection::references, 1, 4),
-                                         word("LastReferenceBeyond", StructureSection::references, 2,
-                                              4 | last_bit),
-                                         word("OneMoreWithoutEnd", StructureSection::references, 5, 0),
-                                         without("None", StructureSection::references),
-                                         set("OfASceneWithFewerPrimitives", &GridParts::primitives, 3)),
-                         by_name);
+INSTANTIATE_TEST_SUITE_P(
+    Lists, HostileMergedGrid,
+    testing::Values(in_lists("LastWithoutEnd", 4, 2), word("SharedByCells", StructureSection::cells, 3, 1),
+                    in_lists("ReferenceBeyond", 1, 4), in_lists("LastReferenceBeyond", 2, 4 | last_bit),
+                    in_lists("OneMoreWithoutEnd", 5, 0), without("None", StructureSection::references),
+                    set("OfASceneWithFewerPrimitives", &GridParts::primitives, 3)),
+    by_name);
 
 // A small file of a million voxels, or cells, that share one list of 100,000 references.
 TEST(HostileLists, SharedByAllCellsAreRefusedQuickly) {

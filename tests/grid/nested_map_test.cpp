@@ -1,4 +1,6 @@
-// However a cube is divided into cells, its map leads every voxel to its own.
+// However a cube is divided into cells, its map leads every voxel to its own; and the map's bit operations,
+// compared with strings of binary digits.
+#include "libgrid/bits.h"
 #include "libgrid/grid/merge_passes.h"
 #include "libscene/passes/host_executor.h"
 #include "tests/random_test.h"
@@ -6,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 namespace masu {
 namespace {
@@ -122,6 +125,34 @@ TEST_F(NestedMap, TakesFewWords) {
     voxels.push_back({voxel, voxel + Vec3i{1, 1, 1}});
   });
   EXPECT_LE(map_of(voxels, {0, 0, 0}, 4).size(), 64 + 16U * 16 * 16 * 8 / 7 + 1);
+}
+
+using Bits = RandomTest;
+
+std::string binary(std::uint32_t word) {
+  std::string all;
+  for (int bit = 31; bit >= 0; --bit)
+    all += (word >> bit & 1) != 0 ? '1' : '0';
+  return all;
+}
+
+TEST_F(Bits, AppendedTakesTheTopBitsAndMovedToTopTheLowest) {
+  auto engine = seed_.engine();
+  for (int i = 0; i < 10'000; ++i) {
+    const auto bits = static_cast<std::uint32_t>(engine()), from = static_cast<std::uint32_t>(engine());
+    const std::size_t n = engine() % 32;
+    const auto count = static_cast<std::int32_t>(n);
+    ASSERT_EQ(binary(appended(bits, from, count)), binary(bits).substr(n) + binary(from).substr(0, n));
+    ASSERT_EQ(binary(moved_to_top(static_cast<std::int32_t>(from), count)),
+              binary(from).substr(32 - n) + std::string(32 - n, '0'));
+  }
+}
+
+TEST_F(Bits, HalfSelectsSixteenBits) {
+  EXPECT_EQ(half(0x12345678, -1), 0x5678);
+  EXPECT_EQ(half(0x12345678, 0), 0x1234);
+  EXPECT_EQ(half(0xfedcba98, -1), 0xba98);
+  EXPECT_EQ(half(0xfedcba98, 0), 0xfedc);
 }
 
 } // namespace

@@ -24,7 +24,7 @@ using PrimitivesCutByAPlane = RandomTest;
 
 using oracle::Wide;
 
-constexpr double u = RealTraits<double>::unit_roundoff;
+constexpr double own_roundoff = RealTraits<double>::unit_roundoff;
 
 // --- Voxels ----------------------------------------------------------------------------------------------
 
@@ -34,13 +34,10 @@ struct WideBox {
 
 WideBox voxel_box(const GridLayout& layout, const Vec3i& voxel) {
   const oracle::Point low = oracle::point(layout.space.min), extent = oracle::point(layout.space.max) - low;
-  const auto plane = [](Wide from, Wide along, std::int32_t number, std::int32_t division) {
-    return from + along * number / division;
-  };
+  const Vec3i& n = layout.division;
   const auto corner = [&](int step) {
-    return oracle::Point{plane(low.x, extent.x, voxel.x + step, layout.division.x),
-                         plane(low.y, extent.y, voxel.y + step, layout.division.y),
-                         plane(low.z, extent.z, voxel.z + step, layout.division.z)};
+    return low + oracle::Point{extent.x * (voxel.x + step) / n.x, extent.y * (voxel.y + step) / n.y,
+                               extent.z * (voxel.z + step) / n.z};
   };
   return {corner(0), corner(1)};
 }
@@ -64,28 +61,22 @@ public:
     for_each_overlap(layout, overlap, primitive, [&](const Vec3i& voxel) {
       for (int axis = 0; axis < 3; ++axis)
         inside_ = inside_ && voxel[axis] >= 0 && voxel[axis] < division_[axis];
-      voxels_.push_back(number(voxel));
+      voxels_.push_back(linear_index(voxel, division_));
     });
-    std::sort(voxels_.begin(), voxels_.end());
+    std::ranges::sort(voxels_);
   }
 
   bool lists(const Vec3i& voxel) const {
-    return std::binary_search(voxels_.begin(), voxels_.end(), number(voxel));
+    return std::ranges::binary_search(voxels_, linear_index(voxel, division_));
   }
-  bool each_once() const { return std::adjacent_find(voxels_.begin(), voxels_.end()) == voxels_.end(); }
+  bool each_once() const { return std::ranges::adjacent_find(voxels_) == voxels_.end(); }
   bool inside() const { return inside_; }
-  bool within(const Listing& other) const {
-    return std::includes(other.voxels_.begin(), other.voxels_.end(), voxels_.begin(), voxels_.end());
-  }
+  bool within(const Listing& other) const { return std::ranges::includes(other.voxels_, voxels_); }
   std::size_t size() const { return voxels_.size(); }
 
 private:
-  std::int64_t number(const Vec3i& voxel) const {
-    return (static_cast<std::int64_t>(voxel.z) * division_.y + voxel.y) * division_.x + voxel.x;
-  }
-
   Vec3i division_;
-  std::vector<std::int64_t> voxels_;
+  std::vector<std::uint64_t> voxels_;
   bool inside_ = true;
 };
 
@@ -268,7 +259,7 @@ TYPED_TEST_SUITE(Overlaps, Kinds, KindNames);
 // How close to a voxel a surface must be listed: what margin.h needs for hits and walks. The rest of the
 // margin is the builder's own, for its rounding.
 double needed(const GridLayout& layout, double scale) {
-  return layout.margin - 28 * u * scale;
+  return layout.margin - 28 * own_roundoff * scale;
 }
 
 // Expects the listing to have all voxels that are so near to the surface, by a point that is on it but for
@@ -333,28 +324,29 @@ TYPED_TEST(Overlaps, WhatTouchesACornerIsListedAllRound) {
 
 // --- What must not be listed -----------------------------------------------------------------------------
 
+template <class Primitive>
+bool must_be_listed(const Primitive& primitive, const WideBox& voxel, double distance) {
+  if constexpr (std::is_same_v<Primitive, Triangle<double>>) {
+    return meets(primitive, grown(voxel, distance));
+  } else if constexpr (std::is_same_v<Primitive, Sphere<double>>) {
+    return shell_within(primitive, voxel, distance);
+  } else {
+    return false;
+  }
+}
 bool may_be_listed(const Triangle<double>& triangle, const WideBox& voxel, double distance) {
   const Vec3d ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
   const bool needle = length(cross(ab, ac)) <= 1e-6 * length(ab) * length(ac);
-  return needle || meets(triangle, grown(voxel, distance));
+  return needle || must_be_listed(triangle, voxel, distance);
 }
 bool may_be_listed(const Sphere<double>& sphere, const WideBox& voxel, double distance) {
-  return shell_within(sphere, voxel, distance);
+  return must_be_listed(sphere, voxel, distance);
 }
 bool may_be_listed(const Cone<double>& cone, const WideBox& voxel, double distance) {
   // A flat cone is moved along its axis by the margin, and its rim by far more.
   const double steepest =
       std::abs(std::abs(cone.apex_radius) - std::abs(cone.base_radius)) / length(cone.apex - cone.base);
   return side_may_be_within(cone, voxel, 2 * (1 + steepest) * distance, 5);
-}
-bool must_be_listed(const Triangle<double>& triangle, const WideBox& voxel, double distance) {
-  return meets(triangle, grown(voxel, distance));
-}
-bool must_be_listed(const Sphere<double>& sphere, const WideBox& voxel, double distance) {
-  return shell_within(sphere, voxel, distance);
-}
-bool must_be_listed(const Cone<double>&, const WideBox&, double) {
-  return false;
 }
 
 TYPED_TEST(Overlaps, TheExactTestListsWhatTheOracleDoes) {
@@ -364,10 +356,10 @@ TYPED_TEST(Overlaps, TheExactTestListsWhatTheOracleDoes) {
     const GridLayout layout = random_layout<typename TypeParam::Real>(chance, scale, 12);
     const auto primitive = random_primitive<TypeParam>(chance, layout, scale);
     const Listing exact(layout, Overlap::exact, primitive);
-    for_each_voxel({{0, 0, 0}, layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+    for_each_voxel_of({{0, 0, 0}, layout.division}, [&](const Vec3i& voxel) {
       const WideBox box = voxel_box(layout, voxel);
       const bool listed = exact.lists(voxel);
-      ASSERT_TRUE(listed ? may_be_listed(primitive, box, layout.margin + 28 * u * scale)
+      ASSERT_TRUE(listed ? may_be_listed(primitive, box, layout.margin + 28 * own_roundoff * scale)
                          : !must_be_listed(primitive, box, needed(layout, scale)))
           << described(primitive) << ' ' << described(layout, voxel);
     });
@@ -408,7 +400,7 @@ protected:
     for (std::int64_t i = cases(600); i > 0 && !HasFailure(); --i) {
       const auto primitive = make();
       const Listing listing(layout_, overlap, primitive);
-      for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      for_each_voxel_of({{0, 0, 0}, layout_.division}, [&](const Vec3i& voxel) {
         EXPECT_EQ(listing.lists(voxel), touch(primitive, voxel_box(layout_, voxel)))
             << described(primitive) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
       });
@@ -421,29 +413,25 @@ protected:
 // Gaps between such things are far larger than this.
 constexpr double next_to_nothing = 1e-20;
 
+constexpr auto by_the_oracle = [](const auto& primitive, const WideBox& voxel) {
+  return must_be_listed(primitive, voxel, next_to_nothing);
+};
+
 TEST_F(Touching, CountsForTriangles) {
-  expect_listed(
-      Overlap::exact,
-      [&] {
-        Triangle<double> triangle = triangle_of(point(), point(), point());
-        if (chance_.one_in(3)) { // a floor, now and then on the lowest face or the highest
-          const double at = chance_.one_of({0.0, 8.0, triangle.a.z});
-          triangle.a.z = triangle.b.z = triangle.c.z = at;
-        }
-        return triangle;
-      },
-      [](const auto& triangle, const WideBox& voxel) {
-        return meets(triangle, grown(voxel, next_to_nothing));
-      });
+  const auto floor_or_other = [&] {
+    Triangle<double> triangle = triangle_of(point(), point(), point());
+    if (chance_.one_in(3)) { // a floor, now and then on the lowest face or the highest
+      const double at = chance_.one_of({0.0, 8.0, triangle.a.z});
+      triangle.a.z = triangle.b.z = triangle.c.z = at;
+    }
+    return triangle;
+  };
+  expect_listed(Overlap::exact, floor_or_other, by_the_oracle);
 }
 
 TEST_F(Touching, CountsForSpheres) {
-  expect_listed(
-      Overlap::exact,
-      [&] {
-        return Sphere<double>{point(), chance_.whole(1, 16) / 4.0};
-      },
-      [](const auto& sphere, const WideBox& voxel) { return shell_within(sphere, voxel, next_to_nothing); });
+  const auto sphere = [&] { return Sphere<double>{point(), chance_.whole(1, 16) / 4.0}; };
+  expect_listed(Overlap::exact, sphere, by_the_oracle);
 }
 
 TEST_F(Touching, CountsForBoundingBoxes) {
@@ -459,19 +447,15 @@ TEST_F(Touching, CountsForBoundingBoxes) {
 // A cylinder of radius 1 about the middle of the first voxels, 2 wide: it touches all four side faces.
 TEST_F(Touching, CountsForCylinders) {
   const GridLayout layout{{{-1, -1, 0}, {7, 7, 4}}, {4, 4, 4}, 1e-15};
-  const Cone<double> cylinder{{1, 1, 0}, 1, {1, 1, 2}, 1};
-  const Listing exact(layout, Overlap::exact, cylinder);
-  // From 0 to 2 along x and y it crosses voxels 0 and 1, and along z it ends on the face between 1 and 2.
-  for_each_voxel({{0, 0, 0}, {3, 3, 3}}, [&](const Vec3i& voxel) {
+  const Listing exact(layout, Overlap::exact, Cone<double>{{1, 1, 0}, 1, {1, 1, 2}, 1}),
+      inner(layout, Overlap::exact, Cone<double>{{2, 2, 0}, 1, {2, 2, 2}, 1});
+  for_each_voxel_of({{0, 0, 0}, layout.division}, [&](const Vec3i& voxel) {
+    // From 0 to 2 along x and y it crosses voxels 0 and 1, and along z it ends on the face between 1 and 2.
     EXPECT_EQ(exact.lists(voxel), voxel.x <= 1 && voxel.y <= 1 && voxel.z <= 2)
         << voxel.x << voxel.y << voxel.z;
-  });
-  const Cone<double> tight{{2, 2, 0}, 1, {2, 2, 2}, 1};
-  const Listing touching(layout, Overlap::exact, tight);
-  // Voxel (1, 1) is 1 to 3 wide: the cylinder touches its faces from inside, and so its four neighbours.
-  for_each_voxel({{0, 0, 0}, {3, 3, 3}}, [&](const Vec3i& voxel) {
+    // Voxel (1, 1) is 1 to 3 wide: this one touches its faces from inside, and so its four neighbours.
     const int off = std::abs(voxel.x - 1) + std::abs(voxel.y - 1);
-    EXPECT_EQ(touching.lists(voxel), off <= 1 && voxel.z <= 2) << voxel.x << voxel.y << voxel.z;
+    EXPECT_EQ(inner.lists(voxel), off <= 1 && voxel.z <= 2) << voxel.x << voxel.y << voxel.z;
   });
 }
 
@@ -509,7 +493,7 @@ TEST_F(Touching, ALargeTriangleIsListedInThePlaneOfVoxelsItCrosses) {
 TEST_F(PrimitivesCutByAPlane, HaveTheirSurfaceInThePartsBounds) {
   const auto parts_hold_the_surface = [&](const auto& primitive) {
     const Boxd whole = bounds(primitive);
-    const double rounding = 64 * u * largest_magnitude(whole);
+    const double rounding = 64 * own_roundoff * largest_magnitude(whole);
     const int axis = chance_.whole(0, 2);
     const double plane = chance_.one_in(2)
                              ? on_surface(chance_, primitive).at[axis]

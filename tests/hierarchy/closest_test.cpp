@@ -1,5 +1,8 @@
-// Closest points: the same for every structure, on the surface, and none closer.
+// Closest points: the same for every structure, on the surface, and none closer. And winding numbers: within
+// their bound of the sum over all triangles, whichever hierarchy it is.
 #include "libgrid/trace/closest.h"
+#include "libgrid/trace/winding.h"
+#include "stability/closed_mesh.h"
 #include "stability/oracle/oracle.h"
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
@@ -40,10 +43,8 @@ TYPED_TEST(ClosestPoints, AreThoseOfTryingEveryPrimitive) {
       filter.object_masks = &mask; // of the only object
       if (chance.one_in(8)) filter.ray_mask = 2;
       const ClosestPrimitive expected = closest_primitive(view, NoStructure{}, place, filter),
-                             closest = closest_primitive(
-                                 view,
-                                 HierarchyView<Real>{hierarchy.nodes.data(), hierarchy.references.data()},
-                                 place, filter);
+                             closest =
+                                 closest_primitive(view, hierarchy_view_of<Real>(hierarchy), place, filter);
       ASSERT_EQ(closest.primitive, expected.primitive) << described(cast<Real>(place), {});
       ASSERT_EQ(closest.closest.squared, expected.closest.squared);
       ASSERT_EQ(closest.closest.point, expected.closest.point);
@@ -80,15 +81,13 @@ TYPED_TEST(ClosestPoints, AreOnTheSurfaceAndNoneIsCloser) {
   }
 }
 
-// There only roundings say which way is outward.
-class ClosestPointOfCone : public RandomTest {};
+using ClosestPointOfCone = RandomTest;
 
+// There only roundings say which way is outward.
 TEST_F(ClosestPointOfCone, IsOnTheSurfaceFromTheAxisAndNearIt) {
   for (std::int64_t s = cases(20'000); s > 0; --s) {
-    const auto corner = [&] {
-      return Vec3d{chance_.uniform(-1, 1), chance_.uniform(-1, 1), chance_.uniform(-1, 1)};
-    };
-    const Cone<double> cone{corner(), chance_.uniform(0.1, 1), corner(), chance_.uniform(0.1, 1)};
+    const Cone<double> cone{chance_.in_cube(1), chance_.uniform(0.1, 1), chance_.in_cube(1),
+                            chance_.uniform(0.1, 1)};
     const double off = chance_.one_in(3) ? 0 : chance_.power_of_two(-600, -30);
     const Vec3d axis = cone.apex - cone.base;
     const Vec3d on_axis = chance_.one_in(3) ? cone.apex : cone.base + axis * chance_.uniform(-1, 2);
@@ -128,6 +127,89 @@ TEST(ClosestPoint, OfKnownPlaces) {
   EXPECT_NEAR(length(near_center.point), 1, 0x1p-50);
   EXPECT_EQ(closest_primitive(view, NoStructure{}, {NAN, 0, 0}, {}).primitive, no_primitive);
   EXPECT_EQ(closest_primitive(view, NoStructure{}, {0, INFINITY, 0}, {}).primitive, no_primitive);
+}
+
+// --- Winding numbers -------------------------------------------------------------------------------------
+
+template <class Real>
+class WindingNumbers : public RandomTest {};
+TYPED_TEST_SUITE(WindingNumbers, Reals);
+
+template <class Real>
+struct Wound {
+  TestScene<Real> scene;
+  Structure hierarchy;
+  SceneView<Real> view{};
+  WindingClusters clusters;
+
+  Wound(Chance& chance, std::vector<Triangle<Real>> triangles) {
+    scene.triangles = std::move(triangles);
+    hierarchy = hierarchy_of(scene, any_quality(chance));
+    view = scene.view();
+    clusters = winding_clusters(view, nodes(), hierarchy.nodes.size(), hierarchy.references.size());
+  }
+  HierarchyView<Real> nodes() const { return {hierarchy.nodes.data(), hierarchy.references.data()}; }
+  double number(const Vec3d& place, double bound, bool side) const {
+    std::vector<UndividedCluster> room;
+    return winding_number(view, nodes(), clusters, place, bound, side, room);
+  }
+};
+
+TYPED_TEST(WindingNumbers, AreWithinTheBoundOfTheSumOverAllTriangles) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  std::int64_t inside = 0;
+  for (std::int64_t s = cases(200); s > 0; --s) {
+    const double size = chance.power_of_two(-20, 20);
+    std::vector<Triangle<Real>> triangles = closed_mesh<Real>(chance, size, true);
+    for (int meshes = chance.whole(0, 3); meshes > 0; --meshes) { // that overlap
+      const auto others = closed_mesh<Real>(chance, size * chance.uniform(0.5, 2), false);
+      triangles.insert(triangles.end(), others.begin(), others.end());
+    }
+    if (chance.one_in(2)) triangles.resize((triangles.size() + 1) / 2); // open
+    for (Triangle<Real>& triangle : triangles)
+      if (chance.one_in(20)) std::swap(triangle.a, triangle.b);
+    const Wound<Real> wound(chance, triangles);
+    for (int p = 0; p < 100; ++p) {
+      const Vec3d place = chance.in_cube(size * chance.one_of({1.0, 2.0, 10.0}));
+      const double expected = winding_number(std::span<const Triangle<Real>>(triangles), place),
+                   bound = chance.power_of_two(-30, 0);
+      std::vector<UndividedCluster> none;
+      ASSERT_NEAR(winding_number(wound.view, HierarchyView<Real>{}, {}, place, 0, false, none), expected,
+                  1e-9);
+      ASSERT_NEAR(wound.number(place, bound, false), expected, bound + 1e-9);
+      if (std::abs(expected - 0.5) > 0x1p-10) {
+        ASSERT_EQ(wound.number(place, 0x1p-10, true) > 0.5, expected > 0.5);
+      }
+      inside += expected > 0.5 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, cases(1000));
+}
+
+// Far fewer clusters are divided than there are triangles.
+TYPED_TEST(WindingNumbers, AreOneInsideAndZeroOutsideOfClosedMeshes) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  const Mesh<double> sphere = octahedron(chance, 6, 0);
+  std::vector<Triangle<Real>> triangles;
+  for (const auto& [a, b, c] : sphere.faces) {
+    const Vec3d &p = sphere.corners[a], &q = sphere.corners[b], &r = sphere.corners[c];
+    const bool out = dot(cross(q - p, r - p), p + q + r) > 0;
+    triangles.push_back(triangle_of<Real>(p, out ? q : r, out ? r : q));
+  }
+  const Wound<Real> wound(chance, triangles);
+  std::vector<UndividedCluster> room;
+  for (std::int64_t s = cases(2000); s > 0; --s) {
+    const double distance = chance.one_of({chance.uniform(0, 0.99), chance.uniform(1.01, 3)});
+    const Vec3d place = chance.direction() * distance;
+    const double number = winding_number(wound.view, wound.nodes(), wound.clusters, place, 0, true, room);
+    ASSERT_EQ(number > 0.5, distance < 1);
+    if (std::abs(distance - 1) > 0.2) {
+      ASSERT_LT(room.size(), triangles.size() / 100);
+    }
+    ASSERT_NEAR(wound.number(place, 1e-3, false), distance < 1 ? 1 : 0, 1e-3);
+  }
 }
 
 } // namespace

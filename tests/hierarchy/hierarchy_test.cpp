@@ -97,8 +97,7 @@ TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTriangles) {
   Chance& chance = this->chance_;
   TestScene<TypeParam> scene;
   const auto add = [&](const Vec3d& at, const Vec3d& along, const Vec3d& across) {
-    scene.triangles.push_back(
-        triangle_of(cast<TypeParam>(at), cast<TypeParam>(at + along), cast<TypeParam>(at + across)));
+    scene.triangles.push_back(triangle_of<TypeParam>(at, at + along, at + across));
   };
   for (int i = 0; i < 2000; ++i)
     add(chance.in_cube(1), chance.in_cube(0.01), chance.in_cube(0.01));
@@ -122,8 +121,7 @@ TYPED_TEST(BuiltHierarchy, OfFastQualityDividesWhatIsLargeAmongOthersWithinItsBo
     Vec3d along{}, across{};
     along.set(axis, size);
     across.set((axis + 1) % 3, size);
-    scene.triangles.push_back(
-        triangle_of(cast<TypeParam>(at), cast<TypeParam>(at + along), cast<TypeParam>(at + across)));
+    scene.triangles.push_back(triangle_of<TypeParam>(at, at + along, at + across));
     widths.push_back(size);
     sum += size;
   }
@@ -156,19 +154,31 @@ TEST_F(Hierarchies, PartsOfAPrimitiveThatLieSideBySideAreOne) {
   }
 }
 
-TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpened) {
+void write_hierarchy(const Structure& grid, std::uint64_t primitives, const std::string& path) {
+  write_structure(grid, {{1, 2}, primitives, {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto"}, path);
+}
+
+TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpenedAndItsStatisticsCountWhatIsThere) {
   Chance& chance = this->chance_;
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const Structure grid = hierarchy_of(scene, any_quality(chance));
-    write_structure(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto"}, path);
+    write_hierarchy(grid, scene.count(), path);
     const StructureFile file(path);
     ASSERT_TRUE(file.is_hierarchy());
     EXPECT_FALSE(file.is_merged());
     EXPECT_TRUE(same_values(file.references(), grid.references));
     EXPECT_TRUE(same_values(file.nodes(), grid.nodes));
+    const HierarchyStatistics counted = hierarchy_statistics(grid.nodes);
+    EXPECT_EQ(counted.nodes, grid.nodes.size());
+    EXPECT_EQ(counted.node_boxes + 1, counted.nodes); // all but the root are in a box
+    EXPECT_EQ(counted.references, grid.references.size());
+    EXPECT_GE(counted.reference_boxes * max_references_per_box, counted.references);
+    EXPECT_LE(counted.boxes_per_node, boxes_per_node);
+    EXPECT_TRUE(std::isfinite(counted.nodes_per_ray) && counted.nodes_per_ray >= 1);
+    EXPECT_TRUE(std::isfinite(counted.tests_per_ray) && counted.tests_per_ray > 0);
   }
 }
 
@@ -189,8 +199,7 @@ TYPED_TEST(BuiltHierarchy, IsNeverTooDeepForTheWalk) {
           const Structure grid = hierarchy_of(scene, quality);
           EXPECT_LE(hierarchy_statistics(grid.nodes).depth, max_hierarchy_depth);
           EXPECT_EQ(grid.references.size(), scene.count());
-          write_structure(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto"},
-                          path);
+          write_hierarchy(grid, scene.count(), path);
           EXPECT_NO_THROW(const StructureFile file(path));
         }
       }
@@ -253,22 +262,6 @@ TYPED_TEST(BuiltHierarchy, IsNotRefittedWhereAPrimitiveGetsASurface) {
     expect_same(before, grid);
     grid = hierarchy_of(moved, quality); // and back: one that has lost its surface stays
     EXPECT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), grid));
-  }
-}
-
-TYPED_TEST(BuiltHierarchy, StatisticsCountWhatIsThere) {
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(100); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    const Structure grid = hierarchy_of(scene, any_quality(chance));
-    const HierarchyStatistics counted = hierarchy_statistics(grid.nodes);
-    EXPECT_EQ(counted.nodes, grid.nodes.size());
-    EXPECT_EQ(counted.node_boxes + 1, counted.nodes); // all but the root are in a box
-    EXPECT_EQ(counted.references, grid.references.size());
-    EXPECT_GE(counted.reference_boxes * max_references_per_box, counted.references);
-    EXPECT_LE(counted.boxes_per_node, boxes_per_node);
-    EXPECT_TRUE(std::isfinite(counted.nodes_per_ray) && counted.nodes_per_ray >= 1);
-    EXPECT_TRUE(std::isfinite(counted.tests_per_ray) && counted.tests_per_ray > 0);
   }
 }
 

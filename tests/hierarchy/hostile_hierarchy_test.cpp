@@ -95,8 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
                     slot("ThirdAlone", 1, 5, 4 << 5 | 1), slot("AtTheLastBit", 1, 5, 1 << 5 | 23),
                     slot("AtTheNodesBits", 1, 5, 7 << 5 | 22), slot("BeyondTheNodesBits", 1, 5, 7 << 5 | 23),
                     slot("BeyondAllBits", 1, 5, 1 << 5 | 31), slot("OfNoneAmongTheNodes", 1, 5, 24),
-                    word("PrimitiveBeyond", StructureSection::references, 1, 4),
-                    word("WithAListsEnd", StructureSection::references, 3, 3 | last_bit),
+                    in_lists("PrimitiveBeyond", 1, 4), in_lists("WithAListsEnd", 3, 3 | last_bit),
                     without("Missing", StructureSection::references),
                     set("OfASceneWithFewerPrimitives", &GridParts::primitives, 3)),
     by_name);

@@ -25,8 +25,7 @@ TYPED_TEST(Walks, FindTheHitsOfTryingEveryPrimitive) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(4000); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
-    const Structure structure = random_structure(chance, scene);
-    this->compare(scene, structure, 200);
+    this->compare(scene, random_structure(chance, scene), 200);
   }
   this->expect_same_hits(cases(120'000));
   EXPECT_GT(this->hits_[1] + this->hits_[2], cases(5000));
@@ -40,10 +39,10 @@ TYPED_TEST(Walks, FindThemFromAnyDistance) {
     const bool is_tiny = chance.one_in(2);
     TestScene<Stored> scene =
         SceneMaker<Stored>(chance, chance.power_of_two(is_tiny ? -33 : -10, is_tiny ? -20 : 20)).scene();
-    const Boxd bounds = scene.bounds();
-    const Structure structures[]{random_uniform_grid(chance, scene.view(), bounds),
-                                 random_merged_grid(chance, scene.view(), bounds), hierarchy_of(scene)};
-    RayMaker<Stored> rays(chance, scene, bounds, structures[0]);
+    const Structure structures[]{random_uniform_grid(chance, scene.view(), scene.bounds()),
+                                 random_merged_grid(chance, scene.view(), scene.bounds()),
+                                 hierarchy_of(scene)};
+    RayMaker<Stored> rays(chance, scene, scene.bounds(), structures[0]);
     for (const Structure& structure : structures)
       this->compare(scene, structure, 40, [&] { return this->as_traced(rays.very_far_ray()); });
   }
@@ -209,8 +208,7 @@ TYPED_TEST(Walks, FindThemInScenesOfAnyScaleAndPlace) {
       std::erase_if(scene.cones, [](const auto& cone) { return cone.base == cone.apex; });
       if (scene.count() == 0) continue;
     }
-    const Structure grid = random_structure(chance, scene);
-    this->compare(scene, grid, 200);
+    this->compare(scene, random_structure(chance, scene), 200);
   }
   this->expect_same_hits();
 }

@@ -11,11 +11,6 @@
 #include "tests/scene_builder.h"
 #include "tests/tiny_scene.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-
 namespace masu {
 namespace {
 
@@ -113,6 +108,31 @@ struct ArrayMesh {
   }
 };
 
+// Calls check(hits of the rays) for grids of all kinds and none, and those of the precisions that a store,
+// drawn at random, has.
+template <class Check>
+void for_each_way(Chance& chance, const ArrayMesh& mesh, const std::vector<Ray<double>>& rays,
+                  std::initializer_list<Precision> precisions, const Check& check) {
+  const std::array meshes{mesh.view()};
+  const Store store = chance.one_in(3) ? Store::float64 : Store::float32;
+  for (const StructureKind kind : all_kinds) {
+    const Rendering rendering(scene_of(meshes), store, "8", StructureOptions{kind});
+    ASSERT_EQ(rendering.scene().primitive_count(), mesh.indices.size() / 3);
+    for (const bool with_grid : {true, false}) {
+      const ResidentTracer tracer = rendering.tracer(Device::cpu, with_grid);
+      for (const Precision precision : precisions) {
+        if (store == Store::float64 && precision != Precision::doubled) continue;
+        SCOPED_TRACE(testing::Message() << "precision " << name_of(precision) << ", kind "
+                                        << static_cast<int>(kind) << ", with a grid " << with_grid);
+        RaysRequest request;
+        request.tracing.precision = precision;
+        check(tracer.hits(rays, request, HitName::primitive).hits);
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
 // A triangle whose corners are one, or two.
 std::array<Vec3d, 3> needle(Chance& chance) {
   const Vec3d a = chance.in_cube(1), c = chance.in_cube(1);
@@ -141,26 +161,13 @@ TEST_F(FacesWithoutArea, AreNeverHit) {
         rays.push_back({from, 0, at - from, INFINITY});
       }
     }
-    const std::array meshes{mesh.view()};
-    const Store store = chance_.one_in(3) ? Store::float64 : Store::float32;
-    for (const StructureKind kind : all_kinds) {
-      const Rendering rendering(scene_of(meshes), store, "8", StructureOptions{kind});
-      for (const StructureFile* const grid :
-           {&rendering.grid(), static_cast<const StructureFile*>(nullptr)}) {
-        const ResidentTracer tracer(rendering.scene(), grid, Device::cpu);
-        for (const Precision precision : {Precision::fast, Precision::robust, Precision::doubled}) {
-          if (store == Store::float64 && precision != Precision::doubled) continue;
-          RaysRequest request;
-          request.tracing.precision = precision;
-          for (const HitRecord& hit : tracer.hits(rays, request, HitName::primitive).hits) {
-            hits += hit.name >= 0;
-            ASSERT_TRUE(hit.name < 0 || is_surface[static_cast<std::size_t>(hit.name)])
-                << "triangle " << hit.name << ", precision " << name_of(precision) << ", kind "
-                << static_cast<int>(kind);
-          }
-        }
-      }
-    }
+    for_each_way(chance_, mesh, rays, {Precision::fast, Precision::robust, Precision::doubled},
+                 [&](const auto& found) {
+                   for (const HitRecord& hit : found) {
+                     hits += hit.name >= 0;
+                     ASSERT_TRUE(hit.name < 0 || is_surface[static_cast<std::size_t>(hit.name)]) << hit.name;
+                   }
+                 });
   }
   EXPECT_GT(hits, static_cast<std::uint64_t>(cases(1000)));
 }
@@ -234,7 +241,6 @@ ArrayMesh box_with_fillers(Chance& chance) {
 TEST_F(Fillers, LetNoRayOut) {
   for (std::int64_t s = cases(20); s > 0; --s) {
     const ArrayMesh mesh = box_with_fillers(chance_);
-    const std::array meshes{mesh.view()};
     const std::size_t faces = mesh.indices.size() / 3;
     std::vector<Ray<double>> rays;
     for (int i = 0; i < 5000; ++i) { // from inside at points of edges
@@ -244,23 +250,9 @@ TEST_F(Fillers, LetNoRayOut) {
                   from = chance_.in_cube(0.1);
       rays.push_back({from, 0, fma(q - p, chance_.uniform(0, 1), p) - from, INFINITY});
     }
-    const Store store = chance_.one_in(3) ? Store::float64 : Store::float32;
-    for (const StructureKind kind : all_kinds) {
-      const Rendering rendering(scene_of(meshes), store, "8", StructureOptions{kind});
-      ASSERT_EQ(rendering.scene().primitive_count(), faces);
-      for (const bool with_grid : {true, false}) {
-        const ResidentTracer tracer = rendering.tracer(Device::cpu, with_grid);
-        for (const Precision precision : {Precision::robust, Precision::doubled}) {
-          if (store == Store::float64 && precision != Precision::doubled) continue;
-          RaysRequest request;
-          request.tracing.precision = precision;
-          std::size_t out = 0;
-          for (const HitRecord& hit : tracer.hits(rays, request, HitName::primitive).hits)
-            out += hit.name < 0;
-          ASSERT_EQ(out, 0U) << "precision " << name_of(precision) << ", kind " << static_cast<int>(kind);
-        }
-      }
-    }
+    for_each_way(chance_, mesh, rays, {Precision::robust, Precision::doubled}, [](const auto& found) {
+      ASSERT_EQ(std::ranges::count_if(found, [](const HitRecord& hit) { return hit.name < 0; }), 0);
+    });
   }
 }
 

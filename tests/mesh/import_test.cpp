@@ -6,12 +6,6 @@
 #include "tests/random_test.h"
 #include "tests/refused.h"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -384,11 +378,13 @@ TEST_F(Import, TheAutomaticCameraFramesTheSceneWithItsUpAxis) {
 
 // --- Invalid files --------------------------------------------------------------------------------------
 
+testing::AssertionResult refused(const std::string& text, const std::string& extension,
+                                 const std::string& place, const std::string& says = "",
+                                 const ImportOptions& options = {}) {
+  return is_refused([&](const std::string&) { parse(text, extension, options); }, place, says);
+}
+
 TEST_F(Import, InvalidFilesAreRefusedInOneLine) {
-  const auto refused = [](const std::string& text, const std::string& extension, const std::string& place,
-                          const std::string& says = "") {
-    return is_refused([&](const std::string&) { parse(text, extension); }, place, says);
-  };
   EXPECT_TRUE(refused("", "ply", "t:1"));
   EXPECT_TRUE(refused("no mesh at all", "obj", "t", "no face"));
   EXPECT_TRUE(refused("v 0 0 0\nv 1 1 1\nl 1 2\n# and nothing else\n", "obj", "t", "no face"));
@@ -410,14 +406,10 @@ TEST_F(Import, UnknownExtensionsThatAreRequiredAreRefused) {
   };
   const std::string json = R"({"asset":{"version":"2.0","extensionsRequired":["A_b"]},"extensionsRequired":)";
   for (const std::string extension : {"KHR_mesh_quantization", "KHR_draco_mesh_compression", "A_b"}) {
-    EXPECT_TRUE(
-        is_refused([&](const std::string&) { parse(requires_extension(extension), "glb"); }, "t", extension));
-    EXPECT_TRUE(is_refused([&](const std::string&) { parse(json + "[\"" + extension + "\"]}", "gltf"); }, "t",
-                           extension));
+    EXPECT_TRUE(refused(requires_extension(extension), "glb", "t", extension));
+    EXPECT_TRUE(refused(json + "[\"" + extension + "\"]}", "gltf", "t", extension));
   }
-  EXPECT_TRUE(
-      is_refused([&](const std::string&) { parse(requires_extension("KHR_mesh_quantization"), "glb"); }, "t",
-                 "gltfpack -noq"));
+  EXPECT_TRUE(refused(requires_extension("KHR_mesh_quantization"), "glb", "t", "gltfpack -noq"));
   EXPECT_EQ(parse(requires_extension("KHR_lights_punctual"), "glb").scene.triangles.size(), 1U);
   // What is merely used may lack.
   const std::string used = R"(,"extensionsUsed":["A_b"],"extras":{"extensionsRequired":["A_b"]})";
@@ -436,22 +428,22 @@ TEST_F(Import, MoreTrianglesThanAreAllowedAreRefused) {
   std::uint64_t all = 0;
   for (const Polygon& polygon : polygons)
     all += polygon.size() - 2;
-  const auto refused = [](const std::string& text, const std::string& extension, std::uint64_t most) {
+  const auto is_too_many = [](const std::string& text, const std::string& extension, std::uint64_t most) {
     ImportOptions options;
     options.max_primitives = most;
-    return is_refused([&](const std::string&) { parse(text, extension, options); }, "t",
-                      fmt::format("has more than {} triangles: split the file", most));
+    return refused(text, extension, "t", fmt::format("has more than {} triangles: split the file", most),
+                   options);
   };
   const PolygonMesh mesh = mesh_of(polygons);
   for (const auto& [extension, text] :
        {std::pair{"ply", binary_ply_of<float>(mesh, false)}, {"obj", obj_of(mesh)}}) {
-    EXPECT_TRUE(refused(text, extension, all - 1)) << extension;
-    EXPECT_FALSE(refused(text, extension, all)) << extension;
+    EXPECT_TRUE(is_too_many(text, extension, all - 1)) << extension;
+    EXPECT_FALSE(is_too_many(text, extension, all)) << extension;
   }
   // Each instance has its own.
   const std::string twice = glb_of(one_triangle, R"({"children":[1,2]},{"mesh":0},{"mesh":0})");
-  EXPECT_TRUE(refused(twice, "glb", 1));
-  EXPECT_FALSE(refused(twice, "glb", 2));
+  EXPECT_TRUE(is_too_many(twice, "glb", 1));
+  EXPECT_FALSE(is_too_many(twice, "glb", 2));
   EXPECT_EQ(ImportOptions{}.max_primitives, 0x7fffffffU);
 }
 
@@ -466,11 +458,9 @@ TEST_F(Import, DamagedFilesAreReadOrRefused) {
       EXPECT_EQ(error.message().find('\n'), std::string::npos);
     }
   };
-  for (int i = 0; i < 100; ++i) {
-    take(ply.substr(0, static_cast<std::size_t>(chance_.whole(0, static_cast<int>(ply.size())))), "ply");
-    take(obj.substr(0, static_cast<std::size_t>(chance_.whole(0, static_cast<int>(obj.size())))), "obj");
-    take(glb.substr(0, static_cast<std::size_t>(chance_.whole(0, static_cast<int>(glb.size())))), "glb");
-  }
+  for (int i = 0; i < 100; ++i)
+    for (const auto& [text, extension] : {std::pair{ply, "ply"}, {obj, "obj"}, {glb, "glb"}})
+      take(text.substr(0, chance_.index(text.size() + 1)), extension);
   // Of which Assimp 5.2 makes a node of nodes that aren't there.
   take(" 0 0 01 0 0 0 1 1 0 0 0 1 5 5 5 0 1 0\n, 0 0 1 5 5 5 5 5 5 0 1 0\n 0 0 1 5 5 5 0 1 0\n", "raw");
 }

@@ -6,11 +6,6 @@
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-
 namespace masu {
 namespace {
 

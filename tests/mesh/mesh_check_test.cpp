@@ -3,10 +3,6 @@
 #include "stability/closed_mesh.h"
 #include "tests/random_test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 namespace masu {
 namespace {
 

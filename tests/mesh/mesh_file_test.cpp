@@ -1,18 +1,11 @@
 // Our own readers of OBJ, PLY, OFF and STL: all digits, all ways to write them, and nothing that is cut or
 // wrong.
-#include "libscene/base/error.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/mesh/files/mesh_scene.h"
 #include "tests/mesh/mesh_texts.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <map>
 
 namespace masu {
@@ -37,8 +30,14 @@ Scene scene(std::string_view text, MeshFormat format, const std::string& library
 // Refused with that place: t, or t:line.
 testing::AssertionResult refused(std::string_view text, MeshFormat format, const std::string& place,
                                  const std::string& says = "", const std::string& library = "") {
-  return is_refused([&](const std::string&) { static_cast<void>(scene(text, format, library)); }, place,
-                    says);
+  return is_refused_with(
+      ErrorCode::input, place, [&] { scene(text, format, library); }, says);
+}
+
+std::string with_changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
 }
 
 // --- Corners -----------------------------------------------------------------------------------------------
@@ -258,6 +257,11 @@ TEST_F(MeshFiles, WrongLinesOfAnObjAreRefused) {
 struct PlyProperty {
   std::string name, type;
 };
+struct PlyElement {
+  std::string name;
+  std::vector<PlyProperty> properties;
+  std::size_t count;
+};
 
 // One number as text and in both byte orders.
 struct Bodies {
@@ -286,9 +290,7 @@ TEST_F(MeshFiles, PlyIsTheSameWhateverItsPropertiesAndElements) {
                                        "uint16", "int",  "int32", "uint",  "uint32", "int64", "uint64"};
   std::vector<std::string> types = whole;
   types.insert(types.end(), {"float", "float32", "double", "float64"});
-  const auto of = [&](const std::vector<std::string>& all) {
-    return all[static_cast<std::size_t>(chance_.whole(0, static_cast<int>(all.size()) - 1))];
-  };
+  const auto of = [&](const std::vector<std::string>& all) { return all[chance_.index(all.size())]; };
   for (int i = 0; i < 200; ++i) {
     const PolygonMesh mesh = random_mesh(chance_, 6, [&] { return double{1.0 * chance_.whole(0, 100)}; });
     std::vector<PlyProperty> vertex{{"x", of(types)}, {"y", of(types)}, {"z", of(types)}};
@@ -300,19 +302,14 @@ TEST_F(MeshFiles, PlyIsTheSameWhateverItsPropertiesAndElements) {
       if (chance_.whole(0, 1) == 1) face.push_back({other, of(types)});
     std::ranges::shuffle(vertex, chance_.engine());
     std::ranges::shuffle(face, chance_.engine());
-    std::vector<std::string> elements{"vertex", "face", "edge"};
+    std::vector<PlyElement> elements{{"vertex", vertex, mesh.vertices.size()},
+                                     {"face", face, mesh.faces.size()},
+                                     {"edge", {{"a", of(types)}}, 3}};
     std::ranges::shuffle(elements, chance_.engine());
 
     std::string header;
     Bodies bodies;
-    for (const std::string& element : elements) {
-      const std::vector<PlyProperty> properties = element == "vertex" ? vertex
-                                                  : element == "face"
-                                                      ? face
-                                                      : std::vector<PlyProperty>{{"a", of(types)}};
-      const std::size_t count = element == "vertex" ? mesh.vertices.size()
-                                : element == "face" ? mesh.faces.size()
-                                                    : 3;
+    for (const auto& [element, properties, count] : elements) {
       header += fmt::format("element {} {}\ncomment property int no\n", element, count);
       std::vector<std::string> lengths;
       for (const PlyProperty& property : properties) {
@@ -334,12 +331,8 @@ TEST_F(MeshFiles, PlyIsTheSameWhateverItsPropertiesAndElements) {
             add_list(mesh.faces[k]);
           else if (property.starts_with("list "))
             add_list(std::vector<int>(static_cast<std::size_t>(chance_.whole(0, 3)), 7));
-          else if (property == "x" && element == "vertex")
-            bodies.add(mesh.vertices[k].x, type);
-          else if (property == "y")
-            bodies.add(mesh.vertices[k].y, type);
-          else if (property == "z")
-            bodies.add(mesh.vertices[k].z, type);
+          else if (property == "x" || property == "y" || property == "z")
+            bodies.add(mesh.vertices[k][property[0] - 'x'], type);
           else
             bodies.add(chance_.whole(0, 100), type);
         }
@@ -347,14 +340,10 @@ TEST_F(MeshFiles, PlyIsTheSameWhateverItsPropertiesAndElements) {
       }
     }
     const std::string end = chance_.whole(0, 1) == 1 ? "obj_info x\nend_header\r\n" : "end_header\n";
-    EXPECT_EQ(corners_of(parse("ply\nformat ascii 1.0\n" + header + end + bodies.text, MeshFormat::ply)),
-              corners_of(mesh));
-    EXPECT_EQ(corners_of(parse("PLY\r\nformat binary_little_endian 1.0\n" + header + end + bodies.little,
-                               MeshFormat::ply)),
-              corners_of(mesh));
-    EXPECT_EQ(corners_of(parse("ply\ncomment c\nformat binary_big_endian 1.0\n" + header + end + bodies.big,
-                               MeshFormat::ply)),
-              corners_of(mesh));
+    for (const auto& [format, body] : {std::pair{"ply\nformat ascii 1.0\n", bodies.text},
+                                       {"PLY\r\nformat binary_little_endian 1.0\n", bodies.little},
+                                       {"ply\ncomment c\nformat binary_big_endian 1.0\n", bodies.big}})
+      EXPECT_EQ(corners_of(parse(format + header + end + body, MeshFormat::ply)), corners_of(mesh));
   }
 }
 
@@ -362,10 +351,7 @@ TEST_F(MeshFiles, WrongPlyFilesAreRefused) {
   const std::string good = ply_of(one_face); // its header has 8 lines
   EXPECT_EQ(scene(good, MeshFormat::ply).triangles.size(), 1U);
   const auto changed = [&](const std::string& from, const std::string& to) {
-    std::string text = good;
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
+    return with_changed(good, from, to);
   };
   const auto is = [](const std::string& text, const std::string& place, const std::string& says) {
     return refused(text, MeshFormat::ply, place, says);
@@ -493,8 +479,7 @@ TEST_F(MeshFiles, FacetsOfABinaryStlHaveColors) {
 TEST_F(MeshFiles, WrongStlFilesAreRefused) {
   const std::string good = stl_of(one_face);
   const auto changed = [&](const std::string& from, const std::string& to) {
-    std::string text = good;
-    return text.replace(text.find(from), from.size(), to);
+    return with_changed(good, from, to);
   };
   const auto is = [](const std::string& text, const std::string& place, const std::string& says) {
     return refused(text, MeshFormat::stl, place, says);

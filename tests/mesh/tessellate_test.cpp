@@ -5,15 +5,9 @@
 #include "tests/refused.h"
 #include "tests/scene_builder.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace masu {
 namespace {
@@ -149,11 +143,9 @@ TEST(Tessellation, SpheresAreClosed) {
     const Scene scene = one_sphere(random_sphere(chance, sign), facets);
     ASSERT_EQ(open_edges(scene), 0U);
     // Euler: corners + triangles = edges + 2.
-    std::vector<Place> places;
+    std::set<Place> places;
     for (const auto& [edge, times] : edges(scene))
-      places.push_back(edge.first);
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
+      places.insert(edge.first);
     ASSERT_EQ(places.size(), scene.triangles.size() / 2 + 2);
   });
 }

@@ -4,15 +4,9 @@
 
 #include "libscene/base/error.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <filesystem>
 #include <random>
 #include <set>
-#include <string>
 
 namespace masu {
 namespace {

@@ -2,15 +2,10 @@
 // errors with line and column.
 #include "tools/lists/ray_csv.h"
 
-#include "stability/random_seed.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 
 namespace masu {
 namespace {

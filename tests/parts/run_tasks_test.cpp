@@ -1,14 +1,10 @@
 // Tasks that are traced and written at the same time, of which one fails.
 #include "tools/jobs/run_tasks.h"
 
-#include "libscene/base/error.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 
 #include <tbb/parallel_for.h>
-
-#include <chrono>
-#include <thread>
 
 namespace masu {
 namespace {

@@ -4,13 +4,6 @@
 #include "tests/scene_builder.h"
 #include "tools/bench/screen_division/screen_division.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <utility>
-#include <vector>
-
 namespace masu {
 namespace {
 
@@ -51,17 +44,17 @@ TEST_F(ScreenDivisions, EveryOneRendersTheSamePicture) {
   FrameRequest request = rendering.request();
   request.tracing.count = request.hits = false;
   // One ray more each way: the last tiles are cut off.
-  for (const auto& size : {std::pair{1, 1}, {7, 7}, {8, 7}, {40, 23}, {64, 65}}) {
-    request.camera.width = size.first;
-    request.camera.height = size.second;
+  for (const auto& [width, height] : {std::pair{1, 1}, {7, 7}, {8, 7}, {40, 23}, {64, 65}}) {
+    request.camera.width = width;
+    request.camera.height = height;
     const Frame expected = rendering.frame(request);
     for (const ScreenDivision division : all_divisions) {
       for (const int workers_each : {0, 1, 5, 64}) {
         const DividedFrame divided =
             render_divided_cpu(rendering.scene(), rendering.grid(), request, division, workers_each);
         EXPECT_EQ(divided.frame.radiance, expected.radiance)
-            << "division " << static_cast<int>(division) << ", " << size.first << "x" << size.second
-            << ", workers " << workers_each;
+            << "division " << static_cast<int>(division) << ", " << width << "x" << height << ", workers "
+            << workers_each;
       }
     }
   }

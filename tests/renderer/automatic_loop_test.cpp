@@ -1,7 +1,6 @@
 // The loop by which a GPU traces a list: by the costs of a sample of its rays.
 #include "renderer/rays/automatic_loop.h"
 
-#include "stability/test_scene.h"
 #include "tests/random_ray.h"
 #include "tests/random_test.h"
 #include "tests/rendering.h"

@@ -84,26 +84,29 @@ TEST_F(CameraRays, RaysPassThroughPixelCornersOrCentres) {
   }
 }
 
+Scene scene_of_balls(Chance& chance, std::int32_t width, std::int32_t height, int balls, double away) {
+  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
+  scene.camera.width = width;
+  scene.camera.height = height;
+  for (int i = 0; i < balls; ++i)
+    add_sphere(scene, chance.direction() * chance.uniform(0, away), chance.uniform(0.1, 0.8),
+               matte(random_color(chance)));
+  return scene;
+}
+
 // Every value is written: of rays that miss the scene, too.
 TEST_F(CameraRays, APictureInUsedMemoryIsTheSame) {
-  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
-  scene.camera.width = 70;
-  scene.camera.height = 41;
-  for (int i = 0; i < 3; ++i)
-    add_sphere(scene, chance_.direction(), chance_.uniform(0.1, 0.5), matte(random_color(chance_)));
-  const Rendering rendering(scene, Store::float32);
+  const Rendering rendering(scene_of_balls(chance_, 70, 41, 3, 1), Store::float32);
   for (const StructureFile* const grid : {&rendering.grid(), static_cast<const StructureFile*>(nullptr)}) {
     const ResidentTracer tracer(rendering.scene(), grid, Device::cpu);
     Frame memory;
     for (int i = 0; i < 40; ++i) {
       FrameRequest request = rendering.request();
-      request.hits = chance_.uniform(0, 2) < 1;
-      request.costs = chance_.uniform(0, 2) < 1;
+      request.hits = chance_.one_in(2);
+      request.costs = chance_.one_in(2);
       request.tracing.count = request.costs;
-      request.window.first_column = chance_.whole(0, 34);
-      request.window.columns = 1 + chance_.whole(0, 34);
-      request.window.first_row = chance_.whole(0, 19);
-      request.window.rows = 1 + chance_.whole(0, 19);
+      request.window = {chance_.whole(0, 34), chance_.whole(0, 19), chance_.whole(1, 35),
+                        chance_.whole(1, 20)};
       const Frame fresh = tracer.render(request, 0);
       if (i % 2 == 0) memory = used_memory(static_cast<std::size_t>(chance_.uniform(0, 3000)));
       memory = tracer.render(request, 0, std::move(memory));
@@ -116,12 +119,7 @@ TEST_F(CameraRays, APictureInUsedMemoryIsTheSame) {
 }
 
 TEST_F(CameraRays, AWindowHasTheSameBitsAsTheWhole) {
-  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
-  scene.camera.width = 37;
-  scene.camera.height = 29;
-  for (int i = 0; i < 20; ++i)
-    add_sphere(scene, chance_.direction() * chance_.uniform(0, 3), chance_.uniform(0.1, 1),
-               matte(random_color(chance_)));
+  const Scene scene = scene_of_balls(chance_, 37, 29, 20, 3);
   for (const Store store : {Store::float32, Store::float64}) {
     const Rendering rendering(scene, store);
     for (const Sampling sampling : {Sampling::corners, Sampling::centers}) {
@@ -130,11 +128,10 @@ TEST_F(CameraRays, AWindowHasTheSameBitsAsTheWhole) {
       const Frame whole = rendering.frame(request);
       for (int i = 0; i < 10; ++i) {
         RayWindow& window = request.window;
-        window.first_column = static_cast<std::int32_t>(chance_.uniform(0, whole.columns));
-        window.first_row = static_cast<std::int32_t>(chance_.uniform(0, whole.rows));
-        window.columns =
-            1 + static_cast<std::int32_t>(chance_.uniform(0, whole.columns - window.first_column));
-        window.rows = 1 + static_cast<std::int32_t>(chance_.uniform(0, whole.rows - window.first_row));
+        window.first_column = chance_.whole(0, whole.columns - 1);
+        window.first_row = chance_.whole(0, whole.rows - 1);
+        window.columns = chance_.whole(1, whole.columns - window.first_column);
+        window.rows = chance_.whole(1, whole.rows - window.first_row);
         const Frame part = rendering.frame(request);
         ASSERT_EQ(part.columns, window.columns);
         ASSERT_EQ(part.rows, window.rows);

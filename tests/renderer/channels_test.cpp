@@ -1,7 +1,6 @@
 // Channels and walks: a picture's own hits and counts, ray by ray, for every grid, arithmetic and store.
 #include "renderer/channels.h"
 #include "renderer/rays/walk_report.h"
-#include "stability/test_scene.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 
@@ -153,17 +152,14 @@ TEST(Channels, OfAWindowAreAPartOfThePictures) {
       const Channels part = all_of(tracer, request, all_rays);
       ASSERT_EQ(part.columns, 3);
       ASSERT_EQ(part.rows, 2);
-      for (std::int32_t row = 0; row < 2; ++row) {
-        for (std::int32_t column = 0; column < 3; ++column) {
-          const auto i = static_cast<std::size_t>(row * 3 + column),
-                     k = static_cast<std::size_t>((row + 2) * whole.columns + column + 1);
-          EXPECT_EQ(part.depth[i], whole.depth[k]);
-          EXPECT_EQ(part.normal[i], whole.normal[k]);
-          EXPECT_EQ(part.object[i], whole.object[k]);
-          EXPECT_EQ(part.primitive[i], whole.primitive[k]);
-          EXPECT_EQ(part.cells[i], whole.cells[k]);
-          EXPECT_EQ(part.tests[i], whole.tests[k]);
-        }
+      for (std::size_t i = 0; i < 6; ++i) {
+        const std::size_t k = (i / 3 + 2) * static_cast<std::size_t>(whole.columns) + i % 3 + 1;
+        EXPECT_EQ(part.depth[i], whole.depth[k]);
+        EXPECT_EQ(part.normal[i], whole.normal[k]);
+        EXPECT_EQ(part.object[i], whole.object[k]);
+        EXPECT_EQ(part.primitive[i], whole.primitive[k]);
+        EXPECT_EQ(part.cells[i], whole.cells[k]);
+        EXPECT_EQ(part.tests[i], whole.tests[k]);
       }
     }
   });
@@ -288,14 +284,22 @@ void expect_consistent(const WalkReport& report) {
   }
 }
 
+// A walk from a random pixel, and the pixel's number in the picture.
+std::pair<WalkRequest, std::size_t> random_walk(const ResidentTracer& tracer, const FrameRequest& request,
+                                                Chance& chance, bool whole) {
+  const RayWindow all = all_rays(request.camera, request.sampling);
+  const std::int32_t column = chance.whole(0, all.columns - 1), row = chance.whole(0, all.rows - 1);
+  WalkRequest walk = camera_walk(tracer, request, column, row);
+  walk.all_rays = whole;
+  return {walk, static_cast<std::size_t>(row * all.columns + column)};
+}
+
 TEST(Walk, OfACameraRayHasTheChannelsHitAndCounts) {
   for_random_pictures(40, [](const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
     const Channels channels = all_of(tracer, request);
     for (int k = 0; k < 6; ++k) {
-      const auto column = static_cast<std::int32_t>(chance.uniform(0, channels.columns)),
-                 row = static_cast<std::int32_t>(chance.uniform(0, channels.rows));
-      const auto i = static_cast<std::size_t>(row * channels.columns + column);
-      const WalkReport report = trace_walk(tracer, camera_walk(tracer, request, column, row));
+      const auto [walk, i] = random_walk(tracer, request, chance, false);
+      const WalkReport report = trace_walk(tracer, walk);
       ASSERT_EQ(report.rays.size(), 1U);
       expect_consistent(report);
       const WalkRay& ray = report.rays.front();
@@ -314,11 +318,7 @@ TEST(Walk, OfAllRaysHasThePixelsColorAndCounts) {
     const Channels channels = all_of(tracer, request, true);
     const Frame frame = tracer.render(request);
     for (int k = 0; k < 6; ++k) {
-      const auto column = static_cast<std::int32_t>(chance.uniform(0, channels.columns)),
-                 row = static_cast<std::int32_t>(chance.uniform(0, channels.rows));
-      const auto i = static_cast<std::size_t>(row * channels.columns + column);
-      WalkRequest walk = camera_walk(tracer, request, column, row);
-      walk.all_rays = true;
+      const auto [walk, i] = random_walk(tracer, request, chance, true);
       const WalkReport report = trace_walk(tracer, walk);
       expect_consistent(report);
       std::uint64_t cells = 0, tests = 0;
@@ -365,6 +365,10 @@ bool same(const WalkStep& a, const WalkStep& b) {
          });
 }
 
+auto results_of(const WalkRay& ray) {
+  return std::tuple(ray.kind, ray.parent, ray.cells, ray.tests, ray.t, ray.primitive, ray.end);
+}
+
 std::size_t recorded_bytes(const WalkReport& report) {
   std::size_t bytes = report.rays.size() * sizeof(WalkRay);
   for (const WalkRay& ray : report.rays) {
@@ -374,20 +378,10 @@ std::size_t recorded_bytes(const WalkReport& report) {
   return bytes;
 }
 
-// A walk of all rays of a random pixel.
-WalkRequest random_walk(const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
-  const RayWindow all = all_rays(request.camera, request.sampling);
-  const auto column = static_cast<std::int32_t>(chance.uniform(0, all.columns)),
-             row = static_cast<std::int32_t>(chance.uniform(0, all.rows));
-  WalkRequest walk = camera_walk(tracer, request, column, row);
-  walk.all_rays = true;
-  return walk;
-}
-
 TEST(Walk, BeyondItsLimitsIsCountedAndNotRecorded) {
   std::size_t more = 0, cut = 0, ended = 0;
   for_random_pictures(40, [&](const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
-    WalkRequest walk = random_walk(tracer, request, chance);
+    WalkRequest walk = random_walk(tracer, request, chance, true).first;
     const WalkReport all = trace_walk(tracer, walk);
     EXPECT_EQ(all.more_rays, 0U);
     EXPECT_FALSE(all.ended_early);
@@ -409,13 +403,7 @@ TEST(Walk, BeyondItsLimitsIsCountedAndNotRecorded) {
       }
       for (std::size_t i = 0; i < part.rays.size(); ++i) {
         const WalkRay &ray = part.rays[i], &whole = all.rays[i];
-        EXPECT_EQ(ray.kind, whole.kind);
-        EXPECT_EQ(ray.parent, whole.parent);
-        EXPECT_EQ(ray.cells, whole.cells);
-        EXPECT_EQ(ray.tests, whole.tests);
-        EXPECT_EQ(ray.t, whole.t);
-        EXPECT_EQ(ray.primitive, whole.primitive);
-        EXPECT_EQ(ray.end, whole.end);
+        EXPECT_EQ(results_of(ray), results_of(whole));
         ASSERT_LE(ray.steps.size(), whole.steps.size());
         EXPECT_TRUE(std::equal(ray.steps.begin(), ray.steps.end(), whole.steps.begin(), same));
         cut += ray.steps.size() < whole.steps.size();
@@ -453,7 +441,7 @@ TEST(Walk, EndsWhereItsProgressThrows) {
 
 TEST(Walk, OfAllRaysStartsFromARayAsItReportsIt) {
   for_random_pictures(20, [](const ResidentTracer& tracer, const FrameRequest& request, Chance& chance) {
-    WalkRequest walk = random_walk(tracer, request, chance);
+    WalkRequest walk = random_walk(tracer, request, chance, true).first;
     const WalkReport first = trace_walk(tracer, walk);
     for (const double length : {1.0, std::exp2(chance.uniform(-30, 30))}) {
       walk.ray = unbounded_ray(first.rays[0].origin, first.rays[0].direction * length);

@@ -12,8 +12,6 @@
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 #include <vector>
 
@@ -52,24 +50,6 @@ Ray<Real> any_ray(Chance& chance, Ray<Real> ray) {
     ray.t_max = value;
   }
   return ray;
-}
-
-// The same primitives in an arithmetic's numbers.
-template <class Real, class Stored>
-TestScene<Real> in_arithmetic(const TestScene<Stored>& scene) {
-  if constexpr (std::is_same_v<Real, Stored>) {
-    return scene;
-  } else {
-    TestScene<double> wide;
-    const auto widen = [](const auto& from, auto& to) {
-      for (const auto& primitive : from)
-        to.push_back(widened(primitive));
-    };
-    widen(scene.triangles, wide.triangles);
-    widen(scene.spheres, wide.spheres);
-    widen(scene.cones, wide.cones);
-    return wide;
-  }
 }
 
 // In lengths of the direction, with all digits.
@@ -135,7 +115,7 @@ std::int64_t compare_scenes(std::int64_t scenes, Chance& chance) {
     const Structure grid = hierarchy_of(scene);
     const SceneView<Stored> view = scene.view();
     const Boxd bounds = scene.bounds();
-    const auto aimed_at = in_arithmetic<Real>(scene);
+    const auto aimed_at = converted<Real>(scene);
     RayMaker<Real> maker(chance, aimed_at, bounds, grid);
     // As many as take each other's places, or too few for that.
     std::vector<Ray<Real>> rays(static_cast<std::size_t>(chance.one_in(2) ? chance.whole(0, 40) : 240));
@@ -198,7 +178,7 @@ void compare_pixels(std::int64_t scenes, Chance& chance) {
                       chance.one_in(2) ? 0 : 0.5F * share(), 1 + share()};
     const Boxd bounds = scene.bounds();
     const Structure grid = hierarchy_of(scene);
-    const auto aimed_at = in_arithmetic<Real>(scene);
+    const auto aimed_at = converted<Real>(scene);
     RayMaker<Real> maker(chance, aimed_at, bounds, grid);
     Light<float> lights[2];
     for (Light<float>& light : lights)

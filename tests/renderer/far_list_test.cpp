@@ -5,8 +5,6 @@
 #include "tests/scene_builder.h"
 #include "tests/tiny_scene.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 

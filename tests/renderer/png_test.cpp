@@ -2,12 +2,9 @@
 #include "renderer/image/png_file.h"
 #include "tests/decoded_image.h"
 #include "tests/random_test.h"
-#include "tests/temporary_folder.h"
 
-#include <gtest/gtest.h>
 #include <pthread.h>
 #include <sys/mman.h>
-#include <tbb/global_control.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -66,10 +63,7 @@ TEST_F(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
     return read_bytes(folder.file(name));
   };
   const Bytes expected = whole("whole.png");
-  {
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_TRUE(whole("one.png") == expected);
-  }
+  EXPECT_TRUE(made_by_threads(1, [&] { return whole("one.png"); }) == expected);
   const auto band = static_cast<std::size_t>(png_band_rows(width));
   ASSERT_GE(height / band, 3U);
   for (const std::size_t longest : {1U, 2U, 4U}) { // bands
@@ -167,7 +161,6 @@ TEST_F(Png, ChunksHaveTheirChecksums) {
   EXPECT_GE(chunks, 4U);
 }
 
-// zlib inflates pieces one after the other as one stream.
 // Leaves this where the stacks of later calls will be.
 [[gnu::noinline]] void fill_stack(std::uint16_t with) {
   volatile std::uint16_t below[100000];
@@ -189,6 +182,7 @@ TEST_F(Deflate, APieceDependsOnNothingThatWasInMemory) {
   }
 }
 
+// zlib inflates pieces one after the other as one stream.
 TEST_F(Deflate, PiecesAreOneStream) {
   auto random = seed_.engine();
   for (int i = 0; i < 200; ++i) {

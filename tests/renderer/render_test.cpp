@@ -1,6 +1,5 @@
 // Pictures follow the rules: shading by its formula, mirrors and glass by their laws, shadows, depth.
 #include "tests/random_test.h"
-#include "tests/renderer/shading_reference.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 
@@ -36,6 +35,24 @@ Material lit_from(Scene& scene, Chance& chance, const Vec3d& normal) {
           static_cast<float>(chance.uniform(1, 30)),
           0,
           1};
+}
+// The shading formula, in double: I = Ia Kd C + Σ visible Il (Kd C (N·L) + Ks max(0, R·V)^n).
+// `outwards` and `to_viewer` are unit vectors; all lights are visible.
+Vec3d direct_light_of(const Scene& scene, const Material& material, const Vec3d& point, const Vec3d& outwards,
+                      const Vec3d& to_viewer) {
+  const Vec3d normal = dot(outwards, to_viewer) >= 0 ? outwards : -outwards;
+  const Vec3d diffuse = cast<double>(material.color) * static_cast<double>(material.diffuse);
+  Vec3d sum = diffuse * static_cast<double>(scene.ambient);
+  for (const Light<double>& light : scene.lights) {
+    const Vec3d l = normalized(light.position - point);
+    const double cosine = dot(normal, l);
+    if (cosine <= 0) continue;
+    const Vec3d r = normal * (2 * cosine) - l;
+    const double highlight = static_cast<double>(material.specular) *
+                             std::pow(std::max(0.0, dot(r, to_viewer)), static_cast<double>(material.shine));
+    sum = sum + light.intensity * (diffuse * cosine + Vec3d{highlight, highlight, highlight});
+  }
+  return sum;
 }
 // What has a highlight is a mirror too: where nothing stands before it, the background's part comes on top.
 Vec3d with_background(const Vec3d& direct, const Material& material) {
@@ -290,15 +307,17 @@ TEST_P(Render, ALightBehindTheSurfaceGetsNoShadowRay) {
     expect_color(color, {0.5F, 0.5F, 0.5F});
 }
 
-TEST_P(Render, RaysEndAtTheDepthAskedFor) {
+// The camera stands between two walls.
+Scene between_walls(const Material& material) {
   Scene scene = empty_scene({0, 0, 0}, {0, 0, -1});
   scene.camera.angle = 10;
-  Material dim = mirror();
-  dim.color = {1, 1, 1};
-  dim.diffuse = 0.25F;
-  dim.specular = 0.5F;
-  add_wall(scene, {0, 0, -1}, {0, 0, 1}, dim);
-  add_wall(scene, {0, 0, 1}, {0, 0, -1}, dim);
+  add_wall(scene, {0, 0, -1}, {0, 0, 1}, material);
+  add_wall(scene, {0, 0, 1}, {0, 0, -1}, material);
+  return scene;
+}
+
+TEST_P(Render, RaysEndAtTheDepthAskedFor) {
+  const Scene scene = between_walls({{1, 1, 1}, 0.25F, 0.5F, 1, 0, 1});
   for (const std::int32_t depth : {1, 2, 5, 8, largest_depth}) {
     const Frame frame = render(scene, depth);
     EXPECT_EQ(frame.counts.reflection_rays, 9U * static_cast<unsigned>(depth - 1));
@@ -310,11 +329,7 @@ TEST_P(Render, RaysEndAtTheDepthAskedFor) {
 
 TEST_P(Render, GlassAndMirrorAtOnceBranchAtEveryDepth) {
   // Between two half-transparent mirrors each ray goes on as two, of which one leaves for good.
-  Scene scene = empty_scene({0, 0, 0}, {0, 0, -1});
-  scene.camera.angle = 10;
-  const Material half{{0, 0, 0}, 0, 0.5F, 1, 0.5F, 1};
-  add_wall(scene, {0, 0, -1}, {0, 0, 1}, half);
-  add_wall(scene, {0, 0, 1}, {0, 0, -1}, half);
+  const Scene scene = between_walls({{0, 0, 0}, 0, 0.5F, 1, 0.5F, 1});
   for (const std::int32_t depth : {1, 2, 5, largest_depth}) {
     const Frame frame = render(scene, depth);
     EXPECT_EQ(frame.counts.reflection_rays, 9U * static_cast<unsigned>(depth - 1));

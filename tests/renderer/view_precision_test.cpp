@@ -2,13 +2,12 @@
 #include "renderer/view_precision.h"
 
 #include "libscene/nff/nff.h"
-#include "tests/fine_scenes.h"
+#include "tests/picture_scenes.h"
 #include "tests/random_test.h"
 #include "tests/rendering.h"
 #include "tests/spd_text.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
@@ -94,7 +93,9 @@ TEST_F(ViewPrecisions, PicturesOfFineThingsAreRight) {
   for (const double thickness : {1e-2, 1e-3, 1e-4, 1e-5})
     check("lens", thickness, thin_lens(chance_, thickness, side));
   for (const double length : {1e-1, 1e-2, 1e-3})
-    check("needles", length, needles_on_floor(chance_, length, length / 100, side));
+    check("needles", length, needles_on_floor(chance_, length, side, [](const Vec3d& aside) {
+            return normalized(aside) * 0.005;
+          }));
   for (const double radius : {1e-1, 1e-2, 1e-3, 4e-4})
     check("beads", radius, beads(chance_, radius, side));
   for (const double radius : {1e-3, 1e-4, 1e-5})
@@ -105,8 +106,7 @@ TEST_F(ViewPrecisions, PicturesOfFineThingsAreRight) {
 TEST_F(ViewPrecisions, ALightOnACeilingLightsTheRoom) {
   for (const Precision precision : {Precision::fast, Precision::robust, Precision::doubled}) {
     for (int i = 0; i < 4; ++i) {
-      const Vec3d up = normalized(Vec3d{chance_.uniform(-0.2, 0.2), chance_.uniform(-0.2, 0.2), 1});
-      const Vec3d right = normalized(cross(Vec3d{0, 1, 0}, up)), back = cross(up, right);
+      const auto [right, back, up] = tilted_axes(chance_);
       const Vec3d light = up * 2.0 + right * chance_.uniform(-0.5, 0.5) + back * chance_.uniform(-0.5, 0.5);
       Scene open = picture_scene(up * 1.5 - back * 1.5, {0, 0, 0}, light, 64);
       add_quad(open, {0, 0, 0}, right * 2.0, back * 2.0, picture_gray);
@@ -125,26 +125,21 @@ TEST_F(ViewPrecisions, ALightOnACeilingLightsTheRoom) {
 TEST_F(ViewPrecisions, SaysWhy) {
   const auto description = [&](const Scene& scene, Store store) {
     const Rendering rendering(scene, store);
-    return description_of(view_precision(rendering.tracer(), rendering.request()));
+    const ViewPrecision chosen = view_precision(rendering.tracer(), rendering.request());
+    const std::string text = description_of(chosen);
+    EXPECT_EQ(text.substr(0, text.find(':')), name_of(chosen.precision));
+    return text;
   };
   const auto expect_begins = [](const std::string& text, const std::string& with) {
     EXPECT_EQ(text.substr(0, with.size()), with);
   };
   expect_begins(description(beads(chance_, 0.1, 64), Store::float32), "robust: float32's error");
   expect_begins(description(beads(chance_, 1e-4, 64), Store::float32), "double: float32's error");
-  expect_begins(description(beads(chance_, 0.1, 64), Store::float64), "double: the scene is stored");
-  expect_begins(description(empty_scene({0, 0, 1}, {0, 0, 0}), Store::automatic), "robust: no surface");
+  expect_begins(description(from_nearby(chance_, {0, 0, 0}, 4e-4, 128), Store::float64),
+                "double: the scene is stored");
+  expect_begins(description(empty_scene({0, 0, 1e-20}, {0, 0, 0}), Store::automatic), "robust: no surface");
   const std::string sampled = description(covered(chance_, 1e-7, true, 64), Store::float32);
   EXPECT_NE(sampled.find("sampled rays see other colours"), std::string::npos) << sampled;
-}
-
-TEST_F(ViewPrecisions, IsDoubleForAStoreOfDoublesAndRobustForNothing) {
-  const Rendering stored(from_nearby(chance_, {0, 0, 0}, 4e-4, 128), Store::float64);
-  const ResidentTracer tracer = stored.tracer();
-  EXPECT_EQ(view_precision(tracer, stored.request()).precision, Precision::doubled);
-  EXPECT_TRUE(view_precision(tracer, stored.request()).is_stored);
-  const Rendering nothing(empty_scene({0, 0, 1e-20}, {0, 0, 0}), Store::automatic);
-  EXPECT_EQ(view_precision(nothing.tracer(), nothing.request()).precision, Precision::robust);
 }
 
 // As long as their errors can't be seen: doubled takes half as long again.

@@ -7,10 +7,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
-#include <cmath>
-#include <functional>
-#include <iterator>
 #include <set>
 
 namespace masu {
@@ -117,12 +113,6 @@ TEST_P(Container, OtherVersionsAreRefusedAndNamed) {
   }
 }
 
-TEST_P(Container, TheSameInputGivesTheSameBytes) {
-  const std::string again = folder_.file("again");
-  GetParam().write(again, {1, 2});
-  EXPECT_TRUE(read_bytes(path_) == read_bytes(again));
-}
-
 // A section of several pieces, which are hashed separately.
 constexpr std::size_t large_words = 5 * (std::size_t{1} << 19) + 77; // 20 MiB and some
 
@@ -166,54 +156,47 @@ struct SceneChange {
   bool of_geometry = false; // of what a grid is built from
 };
 
-const std::vector<SceneChange>& scene_changes() {
-  static const std::vector<SceneChange> changes{
-      {"from", [](Scene& s) { s.camera.from.x += 1; }},
-      {"at", [](Scene& s) { s.camera.at.y += 1; }},
-      {"up", [](Scene& s) { s.camera.up.x += 1; }},
-      {"angle", [](Scene& s) { s.camera.angle += 1; }},
-      {"hither", [](Scene& s) { s.camera.hither += 1; }},
-      {"width", [](Scene& s) { s.camera.width += 1; }},
-      {"height", [](Scene& s) { s.camera.height += 1; }},
-      {"background", [](Scene& s) { s.background.z += 0.125F; }},
-      {"ambient", [](Scene& s) { s.ambient += 0.125F; }},
-      {"light's position", [](Scene& s) { s.lights[1].position.x += 1; }},
-      {"light's colour", [](Scene& s) { s.lights[1].intensity.z += 1; }},
-      {"one light less", [](Scene& s) { s.lights.pop_back(); }},
-      {"colour", [](Scene& s) { s.materials[0].color.x = 0.5F; }},
-      {"Kd", [](Scene& s) { s.materials[0].diffuse = 0.5F; }},
-      {"Ks", [](Scene& s) { s.materials[1].specular = 0.25F; }},
-      {"shine", [](Scene& s) { s.materials[1].shine = 9; }},
-      {"T", [](Scene& s) { s.materials[2].transmittance = 0.25F; }},
-      {"ior", [](Scene& s) { s.materials[2].refraction_index = 1.25F; }},
-      {"vertex, by one ulp", [](Scene& s) { s.triangles[0].c.y = std::nextafter(2.0F, 3.0F); }, true},
-      {"triangle's material", [](Scene& s) { s.triangles[0].material = 3; }, true},
-      {"triangle's object", [](Scene& s) { s.triangles[0].object = 3; }, true},
-      {"order of triangles", [](Scene& s) { std::swap(s.triangles[0], s.triangles[1]); }, true},
-      {"corner normal", [](Scene& s) { s.normals[0].c.z += 1; }},
-      {"flat instead of smooth", [](Scene& s) { s.triangles[1].normals = no_normals; }, true},
-      {"centre", [](Scene& s) { s.spheres[0].center.z += 0.125; }, true},
-      {"sphere's sign", [](Scene& s) { s.spheres[0].radius *= -1; }, true},
-      {"sphere's material", [](Scene& s) { s.sphere_surfaces[0].material = 0; }},
-      {"cone's end", [](Scene& s) { s.cones[0].apex.y += 0.125; }, true},
-      {"cone's radius", [](Scene& s) { s.cones[0].apex_radius = 0; }, true},
-      {"cone's object", [](Scene& s) { s.cone_surfaces[0].object = 0; }},
-      {"counted objects", [](Scene& s) { ++s.objects.polygons; }},
-      {"one sphere less",
-       [](Scene& s) {
-         s.spheres.clear();
-         s.sphere_surfaces.clear();
-       },
-       true},
-      {"one material more", [](Scene& s) { s.materials.push_back(s.materials[0]); }},
-      {"no light", [](Scene& s) { s.lights.clear(); }},
-      {"numbers of faces",
-       [](Scene& s) {
-         s.faces = {0, 0};
-       }},
-  };
-  return changes;
-}
+const std::vector<SceneChange> scene_changes{
+    {"from", [](Scene& s) { s.camera.from.x += 1; }},
+    {"at", [](Scene& s) { s.camera.at.y += 1; }},
+    {"up", [](Scene& s) { s.camera.up.x += 1; }},
+    {"angle", [](Scene& s) { s.camera.angle += 1; }},
+    {"hither", [](Scene& s) { s.camera.hither += 1; }},
+    {"width", [](Scene& s) { s.camera.width += 1; }},
+    {"height", [](Scene& s) { s.camera.height += 1; }},
+    {"background", [](Scene& s) { s.background.z += 0.125F; }},
+    {"ambient", [](Scene& s) { s.ambient += 0.125F; }},
+    {"light's position", [](Scene& s) { s.lights[1].position.x += 1; }},
+    {"light's colour", [](Scene& s) { s.lights[1].intensity.z += 1; }},
+    {"one light less", [](Scene& s) { s.lights.pop_back(); }},
+    {"colour", [](Scene& s) { s.materials[0].color.x = 0.5F; }},
+    {"Kd", [](Scene& s) { s.materials[0].diffuse = 0.5F; }},
+    {"Ks", [](Scene& s) { s.materials[1].specular = 0.25F; }},
+    {"shine", [](Scene& s) { s.materials[1].shine = 9; }},
+    {"T", [](Scene& s) { s.materials[2].transmittance = 0.25F; }},
+    {"ior", [](Scene& s) { s.materials[2].refraction_index = 1.25F; }},
+    {"vertex, by one ulp", [](Scene& s) { s.triangles[0].c.y = std::nextafter(2.0F, 3.0F); }, true},
+    {"triangle's material", [](Scene& s) { s.triangles[0].material = 3; }, true},
+    {"triangle's object", [](Scene& s) { s.triangles[0].object = 3; }, true},
+    {"order of triangles", [](Scene& s) { std::swap(s.triangles[0], s.triangles[1]); }, true},
+    {"corner normal", [](Scene& s) { s.normals[0].c.z += 1; }},
+    {"flat instead of smooth", [](Scene& s) { s.triangles[1].normals = no_normals; }, true},
+    {"centre", [](Scene& s) { s.spheres[0].center.z += 0.125; }, true},
+    {"sphere's sign", [](Scene& s) { s.spheres[0].radius *= -1; }, true},
+    {"sphere's material", [](Scene& s) { s.sphere_surfaces[0].material = 0; }},
+    {"cone's end", [](Scene& s) { s.cones[0].apex.y += 0.125; }, true},
+    {"cone's radius", [](Scene& s) { s.cones[0].apex_radius = 0; }, true},
+    {"cone's object", [](Scene& s) { s.cone_surfaces[0].object = 0; }},
+    {"counted objects", [](Scene& s) { ++s.objects.polygons; }},
+    {"one sphere less",
+     [](Scene& s) {
+       s.spheres.clear();
+       s.sphere_surfaces.clear();
+     },
+     true},
+    {"one material more", [](Scene& s) { s.materials.push_back(s.materials[0]); }},
+    {"no light", [](Scene& s) { s.lights.clear(); }},
+    {"numbers of faces", [](Scene& s) { s.faces.assign(2, 0); }}};
 
 // Of every part, and of the store; that of the geometry, of what a grid is built from alone.
 TEST(SceneHashes, DependOnTheScene) {
@@ -227,7 +210,7 @@ TEST(SceneHashes, DependOnTheScene) {
     const auto [whole, unchanged] = hashes_of(tiny_scene());
     EXPECT_TRUE(hashes.insert(whole).second && geometry_hashes.insert(unchanged).second)
         << "the stores' hashes are equal";
-    for (const SceneChange& change : scene_changes()) {
+    for (const SceneChange& change : scene_changes) {
       Scene scene = tiny_scene();
       change.act(scene);
       const auto [hash, geometry_hash] = hashes_of(scene);

@@ -1,13 +1,11 @@
 // Any scene file that is written can be opened: extreme numbers are refused in the text, or finite in the
 // file.
-#include "libscene/base/error.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/nff/nff.h"
 #include "tests/memory_file.h"
 #include "tests/random_test.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 namespace masu {
 namespace {

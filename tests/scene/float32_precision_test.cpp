@@ -6,25 +6,23 @@
 #include "tests/temporary_folder.h"
 #include "tests/tiny_scene.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace masu {
 namespace {
 
 using Float32Precisions = RandomTest;
+
+const Material plain_white = matte({1, 1, 1});
 
 // Within ±1, so that twice the margin is 1.53e-5.
 constexpr double speck_size = 2.0 * margin_roundings / (1 << 24);
 
 Scene wall_of_size_1() {
   Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
-  add_triangle(scene, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, matte({1, 1, 1}));
+  add_triangle(scene, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, plain_white);
   return scene;
 }
 void add_speck(Scene& scene, const Vec3d& at, double across = 0.5 * speck_size) {
-  add_triangle(scene, at, at + Vec3d{across, 0, 0}, at + Vec3d{0, across / 2, across / 2}, matte({1, 1, 1}));
+  add_triangle(scene, at, at + Vec3d{across, 0, 0}, at + Vec3d{0, across / 2, across / 2}, plain_white);
 }
 std::uint64_t parts_of(const Scene& scene) {
   return float32_precision(scene).standing_alone;
@@ -39,13 +37,13 @@ TEST_F(Float32Precisions, SpecksThatStandAloneAreCounted) {
   EXPECT_FALSE(float32_precision(scene).suffices());
   add_speck(scene, {-0.25, 0.25, 0.25}, speck_size);       // no larger
   add_speck(scene, {-0.5, 0.25, 0.25}, 1.01 * speck_size); // larger
-  add_sphere(scene, {0, 0, 0.5}, 0.4 * speck_size, matte({1, 1, 1}));
-  add_sphere(scene, {0, 0, 0.5}, 0.6 * speck_size, matte({1, 1, 1}));
-  add_cone(scene, {{0, 0.5, 0.5}, speck_size / 4, {0, 0.5, 0.5 + speck_size / 2}, 0}, matte({1, 1, 1}));
+  add_sphere(scene, {0, 0, 0.5}, 0.4 * speck_size, plain_white);
+  add_sphere(scene, {0, 0, 0.5}, 0.6 * speck_size, plain_white);
+  add_cone(scene, {{0, 0.5, 0.5}, speck_size / 4, {0, 0.5, 0.5 + speck_size / 2}, 0}, plain_white);
   EXPECT_EQ(parts_of(scene), 4U);
   // Of no area and of no size.
-  add_triangle(scene, {0.5, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 0, 0.5 + speck_size / 4}, matte({1, 1, 1}));
-  add_triangle(scene, {0.5, 0, 0.75}, {0.5, 0, 0.75}, {0.5, 0, 0.75}, matte({1, 1, 1}));
+  add_triangle(scene, {0.5, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 0, 0.5 + speck_size / 4}, plain_white);
+  add_triangle(scene, {0.5, 0, 0.75}, {0.5, 0, 0.75}, {0.5, 0, 0.75}, plain_white);
   EXPECT_EQ(parts_of(scene), 6U);
 }
 
@@ -65,7 +63,7 @@ TEST_F(Float32Precisions, CornersAreSharedThatRoundToTheSame) {
   add_speck(scene, {-1, -1 + 1e-6, 0});
   EXPECT_EQ(parts_of(scene), 1U);
   Scene signs = empty_scene({0, 0, 3}, {0, 0, 0});
-  add_triangle(signs, {-0.0, 0, -0.0}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
+  add_triangle(signs, {-0.0, 0, -0.0}, {1, 0, 0}, {0, 1, 0}, plain_white);
   add_speck(signs, {0.0, -0.0, 0.0});
   EXPECT_EQ(parts_of(signs), 0U);
 }
@@ -76,7 +74,7 @@ TEST_F(Float32Precisions, AFineMeshIsOnePart) {
   const auto add_strip = [&](double y, int length) {
     for (int i = 0; i < length; ++i)
       add_triangle(scene, {i * step, y, 0.5}, {(i + 1) * step, y, 0.5}, {i * step, y + step, 0.5},
-                   matte({1, 1, 1}));
+                   plain_white);
   };
   add_strip(0.25, 5);
   EXPECT_EQ(parts_of(scene), 0U);
@@ -87,9 +85,9 @@ TEST_F(Float32Precisions, AFineMeshIsOnePart) {
 TEST_F(Float32Precisions, DigitsAreNoReason) {
   Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
   add_triangle(scene, {0.123456789012, 1.0 / 3, 0}, {1.0 / 7, -1.0 / 9, 0}, {-2.0 / 3, 0, 1.0 / 11},
-               matte({1, 1, 1}));
-  add_sphere(scene, {0.1, 0.2, 0.3}, 1.0 / 3, matte({1, 1, 1}));
-  add_cone(scene, {{0.1, 0.2, 0.3}, 0.1, {0.3, 0.1, 0.2}, 0.2}, matte({1, 1, 1}));
+               plain_white);
+  add_sphere(scene, {0.1, 0.2, 0.3}, 1.0 / 3, plain_white);
+  add_cone(scene, {{0.1, 0.2, 0.3}, 0.1, {0.3, 0.1, 0.2}, 0.2}, plain_white);
   const Float32Precision precision = float32_precision(scene);
   EXPECT_TRUE(precision.suffices());
   EXPECT_GT(precision.rounding, 0);
@@ -105,9 +103,9 @@ TEST_F(Float32Precisions, RoundingIsTheLargestOfAnyNumber) {
       [](Scene& s) { s.cones[0].base.x += off; },      [](Scene& s) { s.cones[0].apex.z += off; },
       [](Scene& s) { s.cones[0].base_radius += off; }, [](Scene& s) { s.cones[0].apex_radius -= off; }};
   Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
-  add_triangle(scene, {0.5, 0.5, 0.5}, {1, 0.5, 0}, {0, 0.5, 0.5}, matte({1, 1, 1}));
-  add_sphere(scene, {0.5, 0.5, 0.5}, 0.5, matte({1, 1, 1}));
-  add_cone(scene, {{0.5, 0, 0}, 0.5, {0.5, 0.5, 0.5}, 0.75}, matte({1, 1, 1}));
+  add_triangle(scene, {0.5, 0.5, 0.5}, {1, 0.5, 0}, {0, 0.5, 0.5}, plain_white);
+  add_sphere(scene, {0.5, 0.5, 0.5}, 0.5, plain_white);
+  add_cone(scene, {{0.5, 0, 0}, 0.5, {0.5, 0.5, 0.5}, 0.75}, plain_white);
   EXPECT_EQ(float32_precision(scene).rounding, 0);
   for (const Change& change : changes) {
     Scene changed = scene;
@@ -119,18 +117,18 @@ TEST_F(Float32Precisions, RoundingIsTheLargestOfAnyNumber) {
 TEST_F(Float32Precisions, ConesThatRoundingTurnsAreCounted) {
   Scene scene = wall_of_size_1();
   // Its axis of 1e-6 turns by a few percent; twice as a number of float32 it doesn't.
-  add_cone(scene, {{0.3, 0.3, 0.3}, 0.5, {0.3 + 3e-8, 0.3, 0.3 + 1e-6}, 0.25}, matte({1, 1, 1}));
+  add_cone(scene, {{0.3, 0.3, 0.3}, 0.5, {0.3 + 3e-8, 0.3, 0.3 + 1e-6}, 0.25}, plain_white);
   EXPECT_EQ(float32_precision(scene).moved_cones, 1U);
-  add_cone(scene, {{0.25, 0.25, 0.25}, 0.5, {0.25, 0.25, 0.25 + 0x1p-20}, 0.25}, matte({1, 1, 1}));
+  add_cone(scene, {{0.25, 0.25, 0.25}, 0.5, {0.25, 0.25, 0.25 + 0x1p-20}, 0.25}, plain_white);
   EXPECT_EQ(float32_precision(scene).moved_cones, 1U);
-  add_cone(scene, {{0.3, 0.3, 0.3}, 0.5, {0.3, 0.3, 0.3 + 1e-10}, 0.25}, matte({1, 1, 1})); // no length
+  add_cone(scene, {{0.3, 0.3, 0.3}, 0.5, {0.3, 0.3, 0.3 + 1e-10}, 0.25}, plain_white); // no length
   EXPECT_EQ(float32_precision(scene).moved_cones, 2U);
 }
 
 TEST_F(Float32Precisions, DependsOnRangeAndDistance) {
   const auto sphere = [](double x, double radius) {
     Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
-    add_sphere(scene, {x, 0, 0}, radius, matte({1, 1, 1}));
+    add_sphere(scene, {x, 0, 0}, radius, plain_white);
     return scene;
   };
   EXPECT_TRUE(float32_precision(sphere(1000, 16)).suffices());
@@ -199,9 +197,9 @@ TEST_F(Float32Precisions, PartsOfRandomTrianglesAreThoseOfTheDefinition) {
         return a + Vec3d{off(), off(), 0};
       };
       if (n % 7 == 6)
-        add_triangle(scene, a, {0, 0, 0}, corner(), matte({1, 1, 1}));
+        add_triangle(scene, a, {0, 0, 0}, corner(), plain_white);
       else
-        add_triangle(scene, a, near(), near(), matte({1, 1, 1}));
+        add_triangle(scene, a, near(), near(), plain_white);
     }
     const Float32Precision precision = float32_precision(scene);
     const std::uint64_t expected = parts_by_definition(scene.triangles, 2 * precision.margin);

@@ -1,12 +1,6 @@
 #include "libscene/base/growing_array.h"
 
-#include "stability/random_seed.h"
 #include "tests/random_test.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
 
 namespace masu {
 namespace {

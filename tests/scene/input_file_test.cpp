@@ -14,8 +14,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <thread>
-
 namespace masu {
 namespace {
 
@@ -40,13 +38,18 @@ protected:
   TemporaryFolder folder_;
 };
 
+Bytes noise(std::mt19937_64& random, std::size_t size) {
+  Bytes bytes(size);
+  for (std::uint8_t& byte : bytes)
+    byte = static_cast<std::uint8_t>(random());
+  return bytes;
+}
+
 TEST_F(InputFiles, AreReadWhole) {
   auto random = seed_.engine();
   for (const std::size_t size :
        {0UL, 1UL, 4095UL, (2UL << 20) - 1, 2UL << 20, (9UL << 20) + random() % 1000}) {
-    Bytes bytes(size);
-    for (std::uint8_t& byte : bytes)
-      byte = static_cast<std::uint8_t>(random());
+    const Bytes bytes = noise(random, size);
     write_bytes(file("a"), bytes);
     EXPECT_TRUE(std::ranges::equal(InputFile(file("a")).contents(), bytes));
   }
@@ -57,12 +60,8 @@ TEST_F(InputFiles, ThatShrinkOrChangeWhileTheyAreReadAreRefused) {
   {
     const InputFile shrinking(path);
     std::filesystem::resize_file(path, 5);
-    EXPECT_TRUE(is_refused(
-        [&](const std::string&) {
-          Bytes bytes(10);
-          shrinking.read(0, bytes);
-        },
-        path, "truncated"));
+    Bytes bytes(10);
+    EXPECT_TRUE(is_refused([&](const std::string&) { shrinking.read(0, bytes); }, path, "truncated"));
     EXPECT_TRUE(is_refused([&](const std::string&) { shrinking.check_unchanged(); }, path, "changed"));
   }
   const InputFile changing(path);
@@ -125,12 +124,8 @@ TEST_F(InputFiles, StreamsOfPipesEndWithTheirWriters) {
   bytes.resize(stream.read(bytes.data(), bytes.size()));
   EXPECT_EQ(bytes, std::string("a\0ba\0ba\0b", 9));
   writer.join();
-  EXPECT_TRUE(is_refused(
-      [](const std::string& path) {
-        char byte = 0;
-        InputStream(path).read(&byte, 1);
-      },
-      file("pipe"), "nobody writes"));
+  const auto read = [&](const std::string& path) { InputStream(path).read(bytes.data(), 1); };
+  EXPECT_TRUE(is_refused(read, file("pipe"), "nobody writes"));
 }
 
 // In a mapping this would be SIGBUS, or an index that was valid when it was checked.
@@ -147,10 +142,7 @@ TEST_F(InputFiles, ScenesAndGridsInUseDontFollowTheirFiles) {
     request.camera = tiny.camera;
     const Frame before = tracer.render(request);
     for (const char* name : {"scene", "grid"}) {
-      Bytes noise(std::filesystem::file_size(file(name)));
-      for (std::uint8_t& byte : noise)
-        byte = static_cast<std::uint8_t>(random());
-      write_bytes(file(name), noise); // in place
+      write_bytes(file(name), noise(random, std::filesystem::file_size(file(name)))); // in place
     }
     EXPECT_TRUE(std::ranges::equal(tracer.render(request).radiance, before.radiance));
     for (const char* name : {"scene", "grid"})

@@ -10,11 +10,6 @@
 #include "tests/spd_text.h"
 #include "tests/tiny_scene.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
 namespace masu {
 namespace {
 

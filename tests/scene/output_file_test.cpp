@@ -1,7 +1,6 @@
 // A file appears whole or not at all.
 #include "libscene/file/output_file.h"
 
-#include "libscene/base/error.h"
 #include "tests/memory_file.h"
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
@@ -46,13 +45,17 @@ void expect_ended_by(int signal, const std::function<void()>& act) {
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
 }
 
-TEST(OutputFile, CommitLeavesOneFile) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("a");
+class OutputFiles : public testing::Test {
+protected:
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_.file("a");
+};
+
+TEST_F(OutputFiles, CommitLeavesOneFile) {
   for (const std::string text : {"something much longer than the new text", "new", ""}) {
-    write_whole(path, text);
-    EXPECT_EQ(read_text(path), text);
-    EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
+    write_whole(path_, text);
+    EXPECT_EQ(read_text(path_), text);
+    EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a"});
   }
 }
 
@@ -79,24 +82,21 @@ TEST(OutputFile, WithoutCommitAllIsAsBefore) {
   }
 }
 
-TEST(OutputFile, OpenReadersKeepTheOldFile) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("a");
-  write_text(path, "old");
-  std::ifstream reader(path, std::ios::binary);
-  write_whole(path, "new");
+TEST_F(OutputFiles, OpenReadersKeepTheOldFile) {
+  write_text(path_, "old");
+  std::ifstream reader(path_, std::ios::binary);
+  write_whole(path_, "new");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), "old");
 }
 
-TEST(OutputFile, ImpossiblePathIsAnOutputError) {
-  const TemporaryFolder folder;
-  const std::string nowhere = folder.file("no/such/folder/a"), directory = folder.path().string(),
-                    below_a_file = folder.file("file/a"), too_long = folder.file(std::string(5000, 'a'));
-  write_text(folder.file("file"), "");
+TEST_F(OutputFiles, ImpossiblePathIsAnOutputError) {
+  const std::string nowhere = folder_.file("no/such/folder/a"), directory = folder_.path().string(),
+                    below_a_file = folder_.file("file/a"), too_long = folder_.file(std::string(5000, 'a'));
+  write_text(folder_.file("file"), "");
   for (const std::string& path : {nowhere, directory, below_a_file, too_long})
     EXPECT_TRUE(fails_as_output(path, [&] { write_whole(path, "text"); })) << path;
   EXPECT_TRUE(fails_as_output("output", [] { const OutputFile file(""); }));
-  EXPECT_EQ(folder.listing(), std::vector<std::string>{"file"});
+  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"file"});
 }
 
 // In a child process without root's privileges.
@@ -116,20 +116,19 @@ int code_without_privileges(const std::string& path) {
   return WEXITSTATUS(status);
 }
 
-TEST(OutputFile, MissingPermissionIsAnOutputError) {
-  const TemporaryFolder folder;
+TEST_F(OutputFiles, MissingPermissionIsAnOutputError) {
   namespace fs = std::filesystem;
-  fs::permissions(folder.path(), fs::perms(0755)); // the child process must be able to enter it
-  fs::create_directory(folder.file("closed"));
-  fs::permissions(folder.file("closed"), fs::perms(0555));
-  EXPECT_EQ(code_without_privileges(folder.file("closed/a")), 3);
-  fs::create_directory(folder.file("open"));
-  fs::permissions(folder.file("open"), fs::perms(0777));
-  EXPECT_EQ(code_without_privileges(folder.file("open/a")), 0);
-  write_text(folder.file("open/protected"), "old");
-  fs::permissions(folder.file("open/protected"), fs::perms(0444));
-  EXPECT_EQ(code_without_privileges(folder.file("open/protected")), 3);
-  EXPECT_EQ(read_text(folder.file("open/protected")), "old");
+  fs::permissions(folder_.path(), fs::perms(0755)); // the child process must be able to enter it
+  fs::create_directory(folder_.file("closed"));
+  fs::permissions(folder_.file("closed"), fs::perms(0555));
+  EXPECT_EQ(code_without_privileges(folder_.file("closed/a")), 3);
+  fs::create_directory(folder_.file("open"));
+  fs::permissions(folder_.file("open"), fs::perms(0777));
+  EXPECT_EQ(code_without_privileges(folder_.file("open/a")), 0);
+  write_text(folder_.file("open/protected"), "old");
+  fs::permissions(folder_.file("open/protected"), fs::perms(0444));
+  EXPECT_EQ(code_without_privileges(folder_.file("open/protected")), 3);
+  EXPECT_EQ(read_text(folder_.file("open/protected")), "old");
 }
 
 TEST(OutputFile, DevicesAreWrittenDirectly) {
@@ -144,9 +143,8 @@ TEST(OutputFile, FullDeviceIsAnOutputError) {
   EXPECT_TRUE(fails_as_output("/dev/full", [] { write_whole("/dev/full", std::string(1 << 20, 'x')); }));
 }
 
-TEST(OutputFile, PipesAreWrittenDirectly) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("pipe");
+TEST_F(OutputFiles, PipesAreWrittenDirectly) {
+  const std::string path = folder_.file("pipe");
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   std::string got;
   std::thread reader([&] { got = read_text(path); });
@@ -156,50 +154,46 @@ TEST(OutputFile, PipesAreWrittenDirectly) {
   EXPECT_TRUE(std::filesystem::is_fifo(path));
 }
 
-TEST(OutputFile, LinksAreFollowedToAFileThatIsThereOrNot) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.file("elsewhere"));
-  std::filesystem::create_symlink("elsewhere/target", folder.file("inner"));
-  std::filesystem::create_symlink(folder.file("inner"), folder.file("outer"));
+TEST_F(OutputFiles, LinksAreFollowedToAFileThatIsThereOrNot) {
+  std::filesystem::create_directory(folder_.file("elsewhere"));
+  std::filesystem::create_symlink("elsewhere/target", folder_.file("inner"));
+  std::filesystem::create_symlink(folder_.file("inner"), folder_.file("outer"));
   for (const char* const text : {"old", "new"}) {
-    write_whole(folder.file("outer"), text);
-    EXPECT_TRUE(std::filesystem::is_symlink(folder.file("outer")));
-    EXPECT_TRUE(std::filesystem::is_symlink(folder.file("inner")));
-    EXPECT_EQ(read_text(folder.file("elsewhere/target")), text);
+    write_whole(folder_.file("outer"), text);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_.file("outer")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_.file("inner")));
+    EXPECT_EQ(read_text(folder_.file("elsewhere/target")), text);
   }
 }
 
-TEST(OutputFile, CycleOfLinksIsAnOutputError) {
-  const TemporaryFolder folder;
-  std::filesystem::create_symlink("b", folder.file("a"));
-  std::filesystem::create_symlink("a", folder.file("b"));
-  EXPECT_TRUE(fails_as_output(folder.file("a"), [&] { write_whole(folder.file("a"), "new"); }));
+TEST_F(OutputFiles, CycleOfLinksIsAnOutputError) {
+  std::filesystem::create_symlink("b", path_);
+  std::filesystem::create_symlink("a", folder_.file("b"));
+  EXPECT_TRUE(fails_as_output(path_, [&] { write_whole(path_, "new"); }));
 }
 
-TEST(OutputFile, LongestNamesCanBeWritten) {
-  const TemporaryFolder folder;
+TEST_F(OutputFiles, LongestNamesCanBeWritten) {
   for (const std::size_t length : {252U, 255U}) {
     for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
-      const std::string path = folder.file(std::string(length, 'a'));
+      const std::string path = folder_.file(std::string(length, 'a'));
       write_whole(path, "old", until_commit);
       write_whole(path, "new", until_commit);
       EXPECT_EQ(read_text(path), "new");
       std::filesystem::remove(path);
     }
   }
-  EXPECT_TRUE(fails_as_output(folder.file(std::string(256, 'a')),
-                              [&] { const OutputFile file(folder.file(std::string(256, 'a'))); }));
-  EXPECT_TRUE(folder.listing().empty());
+  EXPECT_TRUE(fails_as_output(folder_.file(std::string(256, 'a')),
+                              [&] { const OutputFile file(folder_.file(std::string(256, 'a'))); }));
+  EXPECT_TRUE(folder_.listing().empty());
 }
 
-TEST(OutputFile, ReplacingKeepsPermissions) {
-  const TemporaryFolder folder;
+TEST_F(OutputFiles, ReplacingKeepsPermissions) {
   for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
     for (const unsigned mode : {0600U, 0755U, 0666U, 0640U}) {
-      write_text(folder.file("a"), "old");
-      std::filesystem::permissions(folder.file("a"), std::filesystem::perms(mode));
-      write_whole(folder.file("a"), "new", until_commit);
-      EXPECT_EQ(std::filesystem::status(folder.file("a")).permissions(), std::filesystem::perms(mode));
+      write_text(path_, "old");
+      std::filesystem::permissions(path_, std::filesystem::perms(mode));
+      write_whole(path_, "new", until_commit);
+      EXPECT_EQ(std::filesystem::status(path_).permissions(), std::filesystem::perms(mode));
     }
   }
 }
@@ -242,51 +236,47 @@ TEST(OutputFile, PlantedLinkIsNotFollowed) {
   }
 }
 
-TEST(OutputFile, SignalsRemoveTemporaryNames) {
-  const TemporaryFolder folder;
-  write_text(folder.file("a"), "old");
+TEST_F(OutputFiles, SignalsRemoveTemporaryNames) {
+  write_text(path_, "old");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     expect_ended_by(signal, [&] {
       remove_temporary_names_on_signals();
-      OutputFile replacing(folder.file("a"), UntilCommit::named),
-          creating(folder.file("b"), UntilCommit::named);
+      OutputFile replacing(path_, UntilCommit::named), creating(folder_.file("b"), UntilCommit::named);
       put(replacing, std::string(100000, 'x'));
       std::raise(signal);
     });
-    EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
-    EXPECT_EQ(read_text(folder.file("a")), "old");
+    EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a"});
+    EXPECT_EQ(read_text(path_), "old");
   }
 }
 
-TEST(OutputFile, NextWriterRemovesTheStaleFileOfAKilledProcess) {
-  const TemporaryFolder folder;
+TEST_F(OutputFiles, NextWriterRemovesTheStaleFileOfAKilledProcess) {
   for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
     expect_ended_by(SIGKILL, [&] {
-      OutputFile file(folder.file("a"), UntilCommit::named);
+      OutputFile file(path_, UntilCommit::named);
       put(file, std::string(100000, 'x'));
       std::raise(SIGKILL);
     });
-    EXPECT_FALSE(std::filesystem::exists(folder.file("a")));
-    write_text(folder.file("a"), "old");
-    EXPECT_EQ(folder.listing().size(), 2U); // with the stale one
-    write_whole(folder.file("a"), "new", until_commit);
-    EXPECT_EQ(read_text(folder.file("a")), "new");
-    EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
-    std::filesystem::remove(folder.file("a"));
+    EXPECT_FALSE(std::filesystem::exists(path_));
+    write_text(path_, "old");
+    EXPECT_EQ(folder_.listing().size(), 2U); // with the stale one
+    write_whole(path_, "new", until_commit);
+    EXPECT_EQ(read_text(path_), "new");
+    EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a"});
+    std::filesystem::remove(path_);
   }
 }
 
-TEST(OutputFile, TemporaryFileOfARunningProcessIsKept) {
-  const TemporaryFolder folder;
-  OutputFile other(folder.file("a"), UntilCommit::named);
+TEST_F(OutputFiles, TemporaryFileOfARunningProcessIsKept) {
+  OutputFile other(path_, UntilCommit::named);
   put(other, "other");
   expect_ended_by(SIGKILL, [&] { // in another process, since locks belong to processes
-    write_whole(folder.file("a"), "mine", UntilCommit::named);
+    write_whole(path_, "mine", UntilCommit::named);
     std::raise(SIGKILL);
   });
-  EXPECT_EQ(read_text(folder.file("a")), "mine");
+  EXPECT_EQ(read_text(path_), "mine");
   other.commit();
-  EXPECT_EQ(read_text(folder.file("a")), "other");
+  EXPECT_EQ(read_text(path_), "other");
 }
 
 TEST(OutputFile, UnnamedFilesAreWrittenDirectly) {
@@ -296,12 +286,11 @@ TEST(OutputFile, UnnamedFilesAreWrittenDirectly) {
   EXPECT_EQ(read_text(file.path()), "new");
 }
 
-TEST(OutputFile, NewFilesHaveDefaultPermissions) {
-  const TemporaryFolder folder;
+TEST_F(OutputFiles, NewFilesHaveDefaultPermissions) {
   const mode_t mask = umask(0027);
-  write_whole(folder.file("a"), "new");
+  write_whole(path_, "new");
   umask(mask);
-  EXPECT_EQ(std::filesystem::status(folder.file("a")).permissions(), std::filesystem::perms(0640));
+  EXPECT_EQ(std::filesystem::status(path_).permissions(), std::filesystem::perms(0640));
 }
 
 TEST(SameFile, IsRecognisedByAnyNameAndSpelling) {

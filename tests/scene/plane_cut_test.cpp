@@ -5,11 +5,6 @@
 #include "tests/random_test.h"
 #include "tests/surface_point.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace masu {

@@ -2,10 +2,6 @@
 #include "libscene/geometry/real.h"
 #include "tests/random_test.h"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-
 namespace masu {
 namespace {
 

@@ -3,8 +3,6 @@
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
 
-#include <algorithm>
-
 namespace masu {
 namespace {
 

@@ -9,8 +9,6 @@
 #include "tests/random_test.h"
 #include "tests/stability/same_bits.h"
 
-#include <limits>
-
 namespace masu {
 namespace {
 

@@ -5,8 +5,6 @@
 #include "stability/sweeps/sweep.h"
 #include "tests/random_test.h"
 
-#include <gtest/gtest.h>
-
 namespace masu::stability {
 namespace {
 

@@ -247,16 +247,9 @@ double unit_roundoff_of(Precision precision) {
 }
 
 void run(const Sweep& sweep, const RunSettings& settings, const std::function<void(const Row&)>& report) {
-  const auto rays =
-      std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
-  for (const double step : sweep.float32_steps) {
-    Chance chance = chance_for(settings.seed, sweep.name, step);
-    run_step(sweep, sweep.float32(chance, step, rays), step, settings.embree, report);
-  }
-  for (const double step : sweep.float64_steps) {
-    Chance chance = chance_for(settings.seed, sweep.name, -step);
-    run_step(sweep, sweep.float64(chance, step, rays), step, false, report);
-  }
+  for_each_trial(sweep, settings.rays, settings.seed, [&](auto trial, double step) {
+    run_step(sweep, std::move(trial), step, settings.embree, report);
+  });
 }
 
 std::vector<Found> found_through(const SceneFile& scene, const StructureFile& grid,

@@ -5,8 +5,6 @@
 #include "stability/sweeps/picture_sweeps.h"
 #include "tests/random_test.h"
 
-#include <gtest/gtest.h>
-
 namespace masu::stability {
 namespace {
 

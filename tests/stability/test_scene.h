@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
-#include <ios>
 #include <random>
 #include <sstream>
 #include <string>
@@ -114,12 +113,11 @@ Triangle<Stored> triangle_of(const Vec3d& a, const Vec3d& b,
 }
 template <class Stored>
 Sphere<Stored> sphere_of(const Vec3d& center, double radius) {
-  return {cast<Stored>(center), static_cast<Stored>(radius)};
+  return cast<Stored>(Sphere<double>{center, radius});
 }
 template <class Stored>
 Cone<Stored> cone_of(const Vec3d& base, double base_radius, const Vec3d& apex, double apex_radius) {
-  return {cast<Stored>(base), static_cast<Stored>(base_radius), cast<Stored>(apex),
-          static_cast<Stored>(apex_radius)};
+  return cast<Stored>(Cone<double>{base, base_radius, apex, apex_radius});
 }
 
 // Calls act(primitives) for a scene's list of each kind.
@@ -128,6 +126,14 @@ void for_each_kind(SceneOfAKind& scene, const Act& act) {
   act(scene.triangles);
   act(scene.spheres);
   act(scene.cones);
+}
+// Calls act(primitive) for each of a scene.
+template <class SceneOfAKind, class Act>
+void for_each_primitive(SceneOfAKind& scene, const Act& act) {
+  for_each_kind(scene, [&](auto& primitives) {
+    for (auto& primitive : primitives)
+      act(primitive);
+  });
 }
 // Calls act(points…) with those that a primitive is moved by; and for each primitive of a scene.
 template <class Stored, class Act>
@@ -144,10 +150,7 @@ void with_points(Cone<Stored>& cone, const Act& act) {
 }
 template <class SceneOfAKind, class Act>
 void for_each_points(SceneOfAKind& scene, const Act& act) {
-  for_each_kind(scene, [&](auto& primitives) {
-    for (auto& primitive : primitives)
-      with_points(primitive, act);
-  });
+  for_each_primitive(scene, [&](auto& primitive) { with_points(primitive, act); });
 }
 
 // Owns what its view points to.
@@ -160,6 +163,14 @@ struct TestScene {
   std::vector<Surface> surfaces; // shared by spheres and cones; view() fills it
   Material material{{1, 1, 1}, 1, 0, 0, 0, 1};
 
+  void add(const Triangle<Stored>& triangle) { triangles.push_back(triangle); }
+  void add(const Sphere<Stored>& sphere) { spheres.push_back(sphere); }
+  void add(const Cone<Stored>& cone) { cones.push_back(cone); }
+  // Behind its own, those of another scene.
+  void add(const TestScene& other) {
+    for_each_primitive(other, [&](const auto& primitive) { add(primitive); });
+  }
+
   std::uint32_t count() const {
     return static_cast<std::uint32_t>(triangles.size() + spheres.size() + cones.size());
   }
@@ -167,10 +178,8 @@ struct TestScene {
   // As in the scene file.
   Boxd bounds() const {
     Boxd box = empty_box<double>();
-    for_each_kind(*this, [&](const auto& primitives) {
-      for (const auto& primitive : primitives)
-        box = join(box, cast<double>(masu::bounds(primitive)));
-    });
+    for_each_primitive(
+        *this, [&](const auto& primitive) { box = join(box, cast<double>(masu::bounds(primitive))); });
     return box;
   }
 
@@ -192,6 +201,14 @@ struct TestScene {
             cast<Stored>(padded_bounds<Stored>(bounds()))};
   }
 };
+
+// The same primitives in another store, or in an arithmetic's numbers.
+template <class Real, class Stored>
+TestScene<Real> converted(const TestScene<Stored>& scene) {
+  TestScene<Real> result;
+  for_each_primitive(scene, [&](const auto& primitive) { result.add(cast<Real>(primitive)); });
+  return result;
+}
 
 // --- Tracing --------------------------------------------------------------------------------------------
 

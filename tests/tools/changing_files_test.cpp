@@ -220,10 +220,11 @@ TEST_F(ChangingFiles, PipesWithoutAWriterAndEndlessDevicesAreRefused) {
   for (const std::string& input : {pipe, file("pipe.csv"), zero, file("zero.csv")})
     refused(input, "gridtrace", {in, divided, input, "-o", file("hits")});
   refusals.clear(); // waits for them
-  EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("b.scene")}, {zero, {}, {}}), 2, "nff2bin", "stdin",
-                     "isn't a text"));
-  EXPECT_TRUE(failed(run("gridtrace", {in, divided, "-", "-o", file("hits")}, {zero, {}, {}}), 2, "gridtrace",
-                     "stdin"));
+  expect_refused(2, R"(
+nff2bin - -o ~/b.scene                          > stdin: isn't a text
+gridtrace ~/a.scene ~/a.grid - -o ~/hits        > stdin
+)",
+                 {.input = zero});
 }
 
 } // namespace

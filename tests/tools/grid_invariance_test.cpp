@@ -29,9 +29,8 @@ protected:
 
   // `arguments`: the grid, or --brute-force, and options.
   Result rendered(const Arguments& arguments) const {
-    const Arguments common{scene_, "--backend",   "cpu",    "--size",    "24x24",
-                           "-o",   file("a.pfm"), "--hits", file("hits")};
-    expect_run("gridrender", joined(common, arguments));
+    expect_run("gridrender",
+               joined(words("~/a.scene --backend cpu --size 24x24 -o ~/a.pfm --hits ~/hits"), arguments));
     return {read_bytes(file("a.pfm")), read_bytes(file("hits"))};
   }
 
@@ -64,14 +63,9 @@ TEST_P(GridInvariance, ResultsAreIndependentOfUniformGrids) {
   EXPECT_TRUE(rendered({grid("c.grid", scene_), "--threads", "1", "--stats", file("stats")}) == expected);
 }
 
-struct MergeCase {
-  const char* division;
-  Arguments rules;
-};
-
 TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
   const Result expected = rendered({"--brute-force"});
-  const std::array<MergeCase, 10> merges{{
+  const std::pair<const char*, Arguments> merged[] = {
       {"33x20x5", {"--merge", "x"}},
       {"auto", {"--merge", "x", "--overlap", "box", "--space", "cube"}},
       {"40x30x20", {"--merge", "balance"}},
@@ -82,10 +76,10 @@ TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
       {"16", {"--merge", "irregular", "--expand", "0", "--step-cost", "10"}},
       {"auto", {"--structure", "bvh"}},
       {"auto", {"--structure", "bvh", "--quality", "fast"}},
-  }};
-  for (const MergeCase& merge : merges) {
-    SCOPED_TRACE(fmt::format("division {}, {}", merge.division, fmt::join(merge.rules, " ")));
-    const std::string path = built(merge.division, merge.rules);
+  };
+  for (const auto& [division, rules] : merged) {
+    SCOPED_TRACE(fmt::format("division {}, {}", division, fmt::join(rules, " ")));
+    const std::string path = built(division, rules);
     EXPECT_TRUE(rendered({path, "--threads", "2"}) == expected);
     // With counters the kernels are other instances.
     EXPECT_TRUE(rendered({path, "--stats", file("stats")}) == expected);

@@ -57,9 +57,10 @@ TEST_F(Inspection, ChannelsAreTheHitsAndSumUpToTheStatistics) {
   for (const auto& [options, width, height] : {Rays{{"--sampling", "corners"}, 17, 13},
                                                {{"--sampling", "centers"}, 16, 12},
                                                {{"--crop", "3,2,5,4"}, 6, 5}}) {
-    render(joined({"-o", file("p.pfm"), "--hits", file("hits"), "--channels",
-                   "depth,object,normal,cells,tests", "--all-rays", "--stats", file("stats")},
-                  options));
+    render(joined(
+        words(
+            "-o ~/p.pfm --hits ~/hits --channels depth,object,normal,cells,tests --all-rays --stats ~/stats"),
+        options));
     const auto stats = json_in("stats");
     EXPECT_EQ(sum(pfm("p.cells.pfm", width, height)), stats["cells_visited"].get<double>());
     EXPECT_EQ(sum(pfm("p.tests.pfm", width, height)), tests_of(stats));
@@ -119,11 +120,10 @@ TEST_F(Inspection, ChannelsOfViewsHaveTheNamesOfTheirPictures) {
 }
 
 TEST_F(Inspection, FilesDoNotDependOnGridAndThreads) {
-  const Arguments channels{"--channels", "depth,normal,object,primitive", "-o"};
-  render(joined(channels, {file("p.png")}));
-  EXPECT_TRUE(
-      succeeded(run("gridrender", joined({scene_, "--brute-force", "--backend", "cpu", "--threads", "1"},
-                                         joined(channels, {file("q.png")})))));
+  expect_runs(R"(
+gridrender ~/a.scene ~/a.grid --backend cpu --channels depth,normal,object,primitive -o ~/p.png
+gridrender ~/a.scene --brute-force --backend cpu --threads 1 --channels depth,normal,object,primitive -o ~/q.png
+)");
   for (const std::string channel : {"depth", "normal", "object", "primitive"})
     for (const std::string ending : {".pfm", ".png"})
       EXPECT_TRUE(read_bytes(file("p." + channel + ending)) == read_bytes(file("q." + channel + ending)));
@@ -259,12 +259,11 @@ TEST_F(Inspection, DamagedPicturesAreRefused) {
       EXPECT_TRUE(refused_as("cut")) << name << " cut to " << length;
     }
   }
-  write_text(file("huge"), "PF\n4000000000 4000000000\n-1.0\n");
-  EXPECT_TRUE(refused_as("huge"));
-  write_text(file("huge"), "PF\n1000000 1000000\n-1.0\n");
-  EXPECT_TRUE(refused_as("huge"));
-  write_text(file("text"), "hello");
-  EXPECT_TRUE(refused_as("text"));
+  for (const char* const text :
+       {"PF\n4000000000 4000000000\n-1.0\n", "PF\n1000000 1000000\n-1.0\n", "hello"}) {
+    write_text(file("cut"), text);
+    EXPECT_TRUE(refused_as("cut")) << text;
+  }
   expect_refused(2, R"(
 gridbench difference ~/none ~/a.png         > ~/none
 gridbench difference ~/a.png ~/a.depth.npy  > ~/a.depth.npy: one size

@@ -167,10 +167,9 @@ TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
       expect_run(tool, joined({scene, divided, "--backend", "cpu"}, more));
       return read_records<std::int32_t>(file("hits"));
     };
-    const auto both = traced("gridtrace", {file("rays"), "-o", file("hits"), "--write", "face,object"});
-    const auto named =
-        traced("gridtrace", {file("rays"), "-o", file("hits"), "--hit-name", "face"}); // t, face
-    const auto primitives = traced("gridtrace", {file("rays"), "-o", file("hits"), "--write", "primitive"});
+    const auto both = traced("gridtrace", words("~/rays -o ~/hits --write face,object"));
+    const auto named = traced("gridtrace", words("~/rays -o ~/hits --hit-name face")); // t, face
+    const auto primitives = traced("gridtrace", words("~/rays -o ~/hits --write primitive"));
     ASSERT_EQ(both.size(), 10U);
     ASSERT_EQ(named.size(), 10U);
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -182,8 +181,7 @@ TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
     EXPECT_EQ(both[8], -1);
     EXPECT_EQ(named[9], -1);
     // A picture's hits.
-    const Arguments view{"--hits",    file("hits"), "--from", "3.5,0.5,9", "--at",
-                         "3.5,0.5,0", "--up",       "0,1,0",  "--size",    "64x64"};
+    const Arguments view = words("--hits ~/hits --from 3.5,0.5,9 --at 3.5,0.5,0 --up 0,1,0 --size 64x64");
     const auto seen = traced("gridrender", joined(view, {"--hit-name", "face"})),
                of_object = traced("gridrender", view);
     ASSERT_EQ(seen.size(), of_object.size());

@@ -33,13 +33,12 @@ class SharedRuns : public SmallSceneTest {
 protected:
   // Views of one band, in files named `prefix`.
   Job views(const std::string& prefix) const {
-    Job job{on_cpu({"--turntable", "24", "--size", "90x70", "-o", file(prefix + "{index}.png"), "--hits",
-                    file(prefix + "{index}.hits")}),
+    const std::string name = file(prefix + "{index}");
+    Job job{on_cpu({"--turntable", "24", "--size", "90x70", "-o", name + ".png", "--hits", name + ".hits"}),
             {}};
-    for (int i = 0; i < 24; ++i) {
-      job.outputs.push_back(fmt::format("{}{:02}.png", prefix, i));
-      job.outputs.push_back(fmt::format("{}{:02}.hits", prefix, i));
-    }
+    for (int i = 0; i < 24; ++i)
+      for (const char* const ending : {"png", "hits"})
+        job.outputs.push_back(fmt::format("{}{:02}.{}", prefix, i, ending));
     return job;
   }
   // A view of two bands: the first one has 1048 rows, of a JPEG 1568.
@@ -51,40 +50,29 @@ protected:
   }
   // More such views than two ranks.
   Job turned(const std::string& prefix) const {
-    Job job{on_cpu({"--turntable", "3", "--size", "1333x1100", "--sampling", "centers", "--depth", "1", "-o",
-                    file(prefix + "{index}.png")}),
-            {}};
-    for (int i = 0; i < 3; ++i)
-      job.outputs.push_back(fmt::format("{}{}.png", prefix, i));
-    return job;
+    return {on_cpu(words("--turntable 3 --size 1333x1100 --sampling centers --depth 1 -o ~/" + prefix +
+                         "{index}.png")),
+            {prefix + "0.png", prefix + "1.png", prefix + "2.png"}};
   }
   // A chunk and a part of one.
   Job list(const std::string& prefix, const std::string& ending) const {
-    if (!std::filesystem::exists(file("rays"))) {
-      std::mt19937 random(1);
-      std::uniform_real_distribution<float> coordinate(-1, 1);
-      std::vector<float> rays(6 * ((std::size_t{1} << 20) + 5000));
-      for (float& number : rays)
-        number = coordinate(random);
-      write_records(file("rays"), rays);
-    }
+    if (!std::filesystem::exists(file("rays")))
+      write_records(file("rays"), random_rays((std::size_t{1} << 20) + 5000, 1));
     return {on_cpu({file("rays"), "-o", file(prefix + ending), "--write", "t,object,normal"}),
             {prefix + ending},
             "gridtrace"};
   }
   // A chunk and a part of one, as text, of lines of different lengths and blank ones.
-  void write_csv_rays() const {
-    if (std::filesystem::exists(file("rays.csv"))) return;
+  Job csv_list(const std::string& prefix) const {
+    const Job job{on_cpu({file("rays.csv"), "-o", file(prefix + ".csv")}), {prefix + ".csv"}, "gridtrace"};
+    if (std::filesystem::exists(file("rays.csv"))) return job;
     std::string text = "ox,oy,oz,dx,dy,dz\n\n";
     for (std::size_t i = 0; i < (std::size_t{1} << 20) + 1000; ++i)
       text += fmt::format("{},{},3,0.125,{},-1\n{}", static_cast<double>(i % 1000) / 250 - 2,
                           static_cast<double>(i % 773) / 200 - 2, static_cast<double>(i % 7) / 64,
                           i % 100'000 == 0 ? "\n" : "");
     write_text(file("rays.csv"), text);
-  }
-  Job csv_list(const std::string& prefix) const {
-    write_csv_rays();
-    return {on_cpu({file("rays.csv"), "-o", file(prefix + ".csv")}), {prefix + ".csv"}, "gridtrace"};
+    return job;
   }
   std::vector<Job> all(const std::string& prefix) const {
     std::vector<Job> jobs{
@@ -263,8 +251,7 @@ TEST_F(SharedRuns, FilesThatAreThereStayAndMissingOnesAreMade) {
   EXPECT_EQ(states_of(resumed), states);
   EXPECT_EQ(state_of("b.json"), json);
   // One that isn't there is written.
-  EXPECT_TRUE(
-      succeeded(run("gridrender", joined(resumed.arguments, {"--resume", "--stats", file("new.json")}))));
+  expect_made(resumed, {"--resume", "--stats", file("new.json")});
   EXPECT_EQ(states_of(resumed), states);
   report = json_in("new.json");
   EXPECT_EQ(report["kept"], 48);
@@ -345,12 +332,12 @@ TEST_F(SharedRuns, ValuesOfAnotherSizeOrRunAreMadeAgain) {
 // What --resume doesn't know is left alone.
 TEST_F(SharedRuns, WhatIsNoFileIsntReplaced) {
   std::filesystem::create_directory(file("b.png"));
-  EXPECT_TRUE(fails(1, "gridrender", on_cpu({"-o", file("b.png"), "--resume"}), file("b.png"),
-                    "isn't a regular file"));
   write_records(file("few"), std::vector<float>(60, 1));
   ASSERT_EQ(mkfifo(file("fifo").c_str(), 0600), 0);
-  EXPECT_TRUE(fails(1, "gridtrace", on_cpu({file("few"), "-o", file("fifo"), "--resume"}), file("fifo"),
-                    "isn't a regular file"));
+  expect_refused(1, R"(
+gridrender ~/a.scene ~/a.grid --backend cpu --resume -o ~/b.png        > @: isn't a regular file
+gridtrace ~/a.scene ~/a.grid ~/few --backend cpu --resume -o ~/fifo    > @: isn't a regular file
+)");
 }
 
 #ifdef MASU_MPIRUN
@@ -397,21 +384,19 @@ TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
                         file("sessions") +
                         "-$1\nmkdir -p \"$OMPI_MCA_orte_tmpdir_base\"\nshift\nexec sh -c \"$*\"\n");
   std::filesystem::permissions(shell, std::filesystem::perms::owner_all);
-  for (const bool of_pictures : {true, false}) {
-    const Job expected = of_pictures ? turned("a") : list("a", ".npy"),
-              shared = of_pictures ? turned("b") : list("b", ".npy");
+  const auto on_two_machines = [&](const char* hosts, const Arguments& arguments) {
+    return run(MASU_MPIRUN, joined({"--mca", "plm_rsh_agent", shell, "--host", hosts}, arguments));
+  };
+  for (const auto& [expected, shared] :
+       {std::pair{turned("a"), turned("b")}, {list("a", ".npy"), list("b", ".npy")}}) {
     expect_made(expected);
     // Its daemons, who share a machine after all, may warn of each other.
-    const ToolResult result =
-        run(MASU_MPIRUN,
-            joined({"--mca", "plm_rsh_agent", shell, "--host", "machine1:2,machine2:1"}, by(3, shared)));
+    const ToolResult result = on_two_machines("machine1:2,machine2:1", by(3, shared));
     EXPECT_EQ(result.code, 0) << result.err;
     expect_same(shared, expected);
   }
-  const auto refused =
-      run(MASU_MPIRUN,
-          joined({"--mca", "plm_rsh_agent", shell, "--host", "machine1:1,machine2:1"},
-                 by(2, "gridrender", {scene_, file("missing"), "-o", file("a.png"), "--backend", "cpu"})));
+  const ToolResult refused = on_two_machines(
+      "machine1:1,machine2:1", by(2, "gridrender", words("~/a.scene ~/missing -o ~/a.png --backend cpu")));
   EXPECT_EQ(refused.code, 2) << refused.err;
 }
 
@@ -447,12 +432,12 @@ TEST_F(MpiRuns, FilesThatAreThereStay) {
   for (const auto& [expected, resumed] :
        {std::pair{views("a"), views("b")}, std::pair{list("a", ".hits"), list("b", ".hits")}}) {
     expect_made(expected);
-    EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(3, resumed))));
+    expect_run(MASU_MPIRUN, by(3, resumed));
     const auto states = states_of(resumed);
-    EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(3, resumed, {"--resume"}))));
+    expect_run(MASU_MPIRUN, by(3, resumed, {"--resume"}));
     EXPECT_EQ(states_of(resumed), states);
     std::filesystem::remove(file(resumed.outputs.front()));
-    EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(2, resumed, {"--resume"}))));
+    expect_run(MASU_MPIRUN, by(2, resumed, {"--resume"}));
     expect_same(resumed, expected);
   }
 }
@@ -495,17 +480,17 @@ TEST_F(MpiRuns, AnErrorIsOneLineAndItsExitCode) {
       if (line.starts_with("gridrender: ")) found.push_back(line);
     return found;
   };
-  const auto refused = [&](int code, const Arguments& arguments, const std::string& place) {
-    const ToolResult result = run(MASU_MPIRUN, by(3, "gridrender", arguments));
+  const auto refused = [&](int code, const std::string& command, const std::string& place) {
+    const ToolResult result = run(MASU_MPIRUN, by(3, "gridrender", words(command)));
     EXPECT_EQ(result.code, code) << result.err;
     const auto lines = lines_of_tool(result.err);
     ASSERT_EQ(lines.size(), 1U) << result.err;
     EXPECT_TRUE(lines[0].starts_with("gridrender: " + place)) << lines[0];
   };
-  refused(1, {scene_, "--no-such-option"}, "--no-such-option");
-  refused(2, {scene_, file("missing"), "-o", file("a.png"), "--backend", "cpu"}, file("missing"));
-  refused(3, {scene_, grid_, "-o", file("missing/a.png"), "--backend", "cpu"}, file("missing/a.png"));
-  refused(1, {scene_, grid_, "-o", "-", "--backend", "cpu"}, "-");
+  refused(1, "~/a.scene --no-such-option", "--no-such-option");
+  refused(2, "~/a.scene ~/missing -o ~/a.png --backend cpu", file("missing"));
+  refused(3, "~/a.scene ~/a.grid -o ~/missing/a.png --backend cpu", file("missing/a.png"));
+  refused(1, "~/a.scene ~/a.grid -o - --backend cpu", "-");
 }
 
 // Without what MPI starts its processes by, and by mpirun once.

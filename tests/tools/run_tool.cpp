@@ -51,7 +51,7 @@ Spawned spawn(const std::string& tool, const Arguments& arguments, const Surroun
   return spawned;
 }
 
-// A row for each choice of [a|b].
+// Rows of a table, one for each choice of [a|b].
 std::vector<std::string> expanded(const std::string& row) {
   const std::size_t open = row.find('['), close = row.find(']', open);
   if (open == std::string::npos) return {row};
@@ -61,6 +61,13 @@ std::vector<std::string> expanded(const std::string& row) {
     for (const std::string& rest : expanded(row.substr(close + 1)))
       all.push_back(row.substr(0, open) + choice + rest);
   return all;
+}
+std::vector<std::string> rows_of(std::string_view commands) {
+  std::vector<std::string> rows;
+  std::istringstream table{std::string(commands)};
+  for (std::string row; std::getline(table, row);)
+    if (!row.empty()) std::ranges::move(expanded(row), std::back_inserter(rows));
+  return rows;
 }
 
 } // namespace
@@ -163,32 +170,42 @@ nlohmann::json SmallSceneTest::stats_of(const Arguments& more) const {
   return json_in("stats.json");
 }
 
+std::string ToolTest::with_folder(std::string text) const {
+  const std::size_t at = text.find('~');
+  return at == std::string::npos ? text : text.replace(at, 1, folder_.path().string());
+}
+
+Arguments ToolTest::words(std::string_view row) const {
+  std::istringstream stream{std::string(row)};
+  Arguments all{std::istream_iterator<std::string>(stream), {}};
+  for (std::string& word : all) {
+    std::ranges::replace(word, '_', ' ');
+    word = with_folder(word);
+  }
+  return all;
+}
+
+void ToolTest::expect_runs(std::string_view commands) const {
+  for (const std::string& row : rows_of(commands)) {
+    const Arguments command = words(row);
+    EXPECT_TRUE(succeeded(run(command[0], {command.begin() + 1, command.end()}))) << row;
+  }
+}
+
 void ToolTest::expect_refused(int code, std::string_view commands, const Surroundings& surroundings) const {
-  const auto with_folder = [&](std::string text) {
-    const std::size_t at = text.find('~');
-    return at == std::string::npos ? text : text.replace(at, 1, folder_.path().string());
-  };
-  std::istringstream table{std::string(commands)};
-  for (std::string row; std::getline(table, row);) {
-    for (const std::string& line : expanded(row)) {
-      std::istringstream command(line.substr(0, line.find(" > ")));
-      Arguments words{std::istream_iterator<std::string>(command), {}};
-      if (words.empty()) continue;
-      for (std::string& word : words) {
-        std::ranges::replace(word, '_', ' ');
-        word = with_folder(word);
-      }
-      std::string place = "command line", says;
-      if (const std::size_t end = line.find(" > "); end != std::string::npos) {
-        const std::size_t colon = line.find(": ", end);
-        place = with_folder(line.substr(end + 3, colon - end - 3));
-        if (colon != std::string::npos) says = line.substr(colon + 2);
-      }
-      const auto is_option = [](const std::string& word) { return word.starts_with("--"); };
-      if (place == "@") place = words.back();
-      if (place == "@option") place = *std::ranges::find_if(words.rbegin(), words.rend(), is_option);
-      EXPECT_TRUE(fails(code, words[0], {words.begin() + 1, words.end()}, place, says, surroundings)) << line;
+  for (const std::string& row : rows_of(commands)) {
+    const Arguments command = words(row.substr(0, row.find(" > ")));
+    std::string place = "command line", says;
+    if (const std::size_t end = row.find(" > "); end != std::string::npos) {
+      const std::size_t colon = row.find(": ", end);
+      place = with_folder(row.substr(end + 3, colon - end - 3));
+      if (colon != std::string::npos) says = row.substr(colon + 2);
     }
+    const auto is_option = [](const std::string& word) { return word.starts_with("--"); };
+    if (place == "@") place = command.back();
+    if (place == "@option") place = *std::ranges::find_if(command.rbegin(), command.rend(), is_option);
+    EXPECT_TRUE(fails(code, command[0], {command.begin() + 1, command.end()}, place, says, surroundings))
+        << row;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -90,6 +91,20 @@ inline Npy read_npy(const std::string& path) {
   return {{bytes.begin(), end}, {end, bytes.end()}};
 }
 
+// What comes before an array's values, with such a dictionary.
+inline std::string npy_head(const std::string& dictionary) {
+  return std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(dictionary.size()) + '\0' + dictionary;
+}
+
+// Of six numbers each, up to `most` from 0.
+inline std::vector<float> random_rays(std::size_t count, float most) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> coordinate(-most, most);
+  std::vector<float> rays(6 * count);
+  std::ranges::generate(rays, [&] { return coordinate(random); });
+  return rays;
+}
+
 // A test with a temporary folder for files. What fails says how to repeat it with the same random numbers.
 class ToolTest : public SeededTest {
 protected:
@@ -117,8 +132,15 @@ protected:
   // file`. [a|b] stands for a row with a and one with b, ~ for the test's folder, _ for a space, and at the
   // place @ for the last argument, @option for the last option.
   void expect_refused(int code, std::string_view commands, const Surroundings& surroundings = {}) const;
+  // Runs such a table of commands that must succeed.
+  void expect_runs(std::string_view commands) const;
+  // A row's words.
+  Arguments words(std::string_view row) const;
 
   const TemporaryFolder folder_;
+
+private:
+  std::string with_folder(std::string text) const;
 };
 
 // A light, a floor, a sphere, and a view.

@@ -88,11 +88,10 @@ TEST_F(SliceTool, APictureNamesAxesPlaneAndLegend) {
 
 TEST_F(SliceTool, SlicesOfDifferentGridsHaveTheScaleThatIsAskedFor) {
   for (const char* const division : {"3", "9"}) {
-    const std::string path = grid("a.grid", scene_, division);
+    grid("a.grid", scene_, division);
     for (const auto& [color, scale] :
          {std::array{"references", "references, 1 to 500"}, {"depth", "depth of nesting, 0 to 500"}}) {
-      expect_run("gridstat",
-                 {path, "--slice", "z=1", "--color", color, "--color-high", "500", "-o", file("s.svg")});
+      expect_runs(std::string("gridstat ~/a.grid --slice z=1 --color-high 500 -o ~/s.svg --color ") + color);
       const std::string svg = read_text(file("s.svg"));
       EXPECT_NE(svg.find(std::string("Colour: ") + scale), std::string::npos) << svg.substr(0, 1000);
     }
@@ -102,8 +101,7 @@ TEST_F(SliceTool, SlicesOfDifferentGridsHaveTheScaleThatIsAskedFor) {
 TEST_F(SliceTool, WithoutFontsAPictureHasNoText) {
   const std::string path = grid("a.grid", scene_, "6");
   write_text(file("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
-  Surroundings surroundings;
-  surroundings.environment = "FONTCONFIG_FILE=" + file("fonts.conf");
+  const Surroundings surroundings{.environment = "FONTCONFIG_FILE=" + file("fonts.conf")};
   for (const std::string name : {"s.svg", "s.png"}) {
     const ToolResult result = run("gridstat", {path, "--slice", "z=2", "-o", file(name)}, surroundings);
     EXPECT_EQ(result.code, 0);
@@ -120,8 +118,7 @@ TEST_F(SliceTool, PixelsOfAPngAreTheCellsInTheirColors) {
   for (const std::string& merge : {std::string("none"), std::string("irregular")}) {
     const std::string path = grid("a.grid", scene_, "16", {"--merge", merge});
     const Json slice = json_slice(path, {"--slice", "z@0.05"});
-    ASSERT_TRUE(
-        succeeded(run("gridstat", {path, "--slice", "z@0.05", "--size", "640", "-o", file("s.png")})));
+    expect_run("gridstat", {path, "--slice", "z@0.05", "--size", "640", "-o", file("s.png")});
     const DecodedPng png = decoded_png(file("s.png"));
     const auto at = [&](std::size_t x, std::size_t y) {
       const std::size_t i = 3 * (y * png.width + x);
@@ -180,18 +177,15 @@ TEST_F(SliceTool, PixelsOfAPngAreTheCellsInTheirColors) {
 }
 
 TEST_F(SliceTool, PngAndSvgHaveTheSameSizeAndGrowWithIt) {
-  const std::string path = grid("a.grid", scene_, "8x8x4");
+  grid("a.grid", scene_, "8x8x4");
   std::size_t last = 0;
   for (const char* const size : {"64", "200", "640", "1000"}) {
-    expect_run("gridstat", {path, "--slice", "z=1", "--size", size, "-o", file("s.png")});
-    expect_run("gridstat", {path, "--slice", "z=1", "--size", size, "-o", file("s.svg")});
+    expect_runs(std::string("gridstat ~/a.grid --slice z=1 -o ~/s[.png|.svg] --size ") + size);
     const DecodedPng png = decoded_png(file("s.png"));
     EXPECT_GT(png.width, last);
     last = png.width;
-    EXPECT_NE(read_text(file("s.svg"))
-                  .find("width=\"" + std::to_string(png.width) + "\" height=\"" + std::to_string(png.height) +
-                        "\""),
-              std::string::npos);
+    const std::string sizes = fmt::format("width=\"{}\" height=\"{}\"", png.width, png.height);
+    EXPECT_NE(read_text(file("s.svg")).find(sizes), std::string::npos);
   }
 }
 
@@ -241,14 +235,11 @@ TEST_F(SliceTool, ExportedCellsAreThoseOfTheGrid) {
 // As a viewer reads it: corners, then faces or edges that name them.
 TEST_F(SliceTool, APlyHasTheBoxOfEachCell) {
   for (const std::string& merge : merges) {
-    const std::string path = grid("a.grid", scene_, "4", {"--merge", merge});
+    const auto csv = csv_cells(grid("a.grid", scene_, "4", {"--merge", merge}));
     for (const bool expanded : {false, true}) {
-      const auto csv = csv_cells(path);
       for (const bool wireframe : {false, true}) {
-        Arguments arguments{path, "--cells", file("cells.ply")};
-        if (expanded) arguments.emplace_back("--expanded");
-        if (wireframe) arguments.emplace_back("--wireframe");
-        ASSERT_TRUE(succeeded(run("gridstat", arguments)));
+        expect_runs(std::string("gridstat ~/a.grid --cells ~/cells.ply") + (expanded ? " --expanded" : "") +
+                    (wireframe ? " --wireframe" : ""));
         const std::string ply = read_text(file("cells.ply"));
         const std::string end = "end_header\n";
         const std::size_t body = ply.find(end) + end.size(), corners = 8 * csv.size();

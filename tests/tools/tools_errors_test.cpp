@@ -88,50 +88,50 @@ TEST_F(ToolErrors, Float32ThatIsTooCoarseForTheSceneIsWarnedOf) {
 
 class BadFiles : public SmallSceneTest {
 protected:
-  // All tools that read such a file must refuse this one.
-  void expect_scene_refused(const std::string& path, const std::string& says = "") const {
-    EXPECT_TRUE(fails(2, "gridbuild", {path, "-o", file("new.grid")}, path, says));
-    EXPECT_TRUE(fails(2, "gridrender", {path, grid_, "-o", file("new.png")}, path, says));
-    EXPECT_TRUE(fails(2, "gridrender", {path, "--brute-force", "-o", file("new.png")}, path, says));
-    EXPECT_TRUE(fails(2, "gridstat", {"--occupancy", path}, path, says));
-  }
-  void expect_grid_refused(const std::string& path, const std::string& says = "") const {
-    EXPECT_TRUE(fails(2, "gridrender", {scene_, path, "-o", file("new.png")}, path, says));
-    EXPECT_TRUE(fails(2, "gridstat", {path}, path, says));
-    EXPECT_TRUE(fails(2, "gridstat", {path, "--slice", "z=0", "-o", file("new.png")}, path, says));
+  // Whether gridtrace refuses a list of that name and content.
+  testing::AssertionResult refuses(const std::string& name, std::string_view content,
+                                   const std::string& says = "", const std::string& at = "",
+                                   const Arguments& more = {}) const {
+    write_text(file(name), content);
+    return fails(2, "gridtrace", joined({scene_, grid_, file(name), "-o", file("hits")}, more),
+                 file(name) + at, says);
   }
 };
 
 // tests/scene/container_test.cpp has each byte changed, and each length.
 TEST_F(BadFiles, AreRefusedByEveryToolThatReadsThem) {
-  const auto damaged = [&](const std::string& path, const char* name, bool is_cut) {
-    Bytes bytes = read_bytes(path);
+  nff("empty", "");
+  for (const std::string kind : {"scene", "grid"}) {
+    Bytes bytes = read_bytes(file("a." + kind));
     bytes.back() ^= 1;
-    if (is_cut) bytes.pop_back();
-    write_bytes(file(name), bytes);
-    return file(name);
-  };
-  const std::string folder = folder_.path().string(), empty = nff("empty", "");
+    write_bytes(file("flipped." + kind), bytes);
+    bytes.pop_back();
+    write_bytes(file("cut." + kind), bytes);
+  }
   const struct {
-    std::string path, says;
-  } scenes[] = {{file("missing"), "No such file"},
-                {folder, "is a directory"},
-                {empty, "isn't a scene file"},
-                {text_, "isn't a scene file"},
-                {grid_, "isn't a scene file"},
-                {damaged(scene_, "cut.scene", true), "truncated"},
-                {damaged(scene_, "flipped.scene", false), "hash"}},
-    grids[] = {{file("missing"), "No such file"},
-               {folder, "is a directory"},
-               {empty, "isn't a grid file"},
-               {text_, "isn't a grid file"},
-               {scene_, "isn't a grid file"},
-               {damaged(grid_, "cut.grid", true), "truncated"},
-               {damaged(grid_, "flipped.grid", false), "hash"}};
-  for (const auto& [path, says] : scenes)
-    expect_scene_refused(path, says);
-  for (const auto& [path, says] : grids)
-    expect_grid_refused(path, says);
+    std::string kind, other, readers;
+  } kinds[] = {{"scene", "grid", R"(
+gridbuild FILE -o ~/new.grid                           > FILE: SAYS
+gridrender FILE [~/a.grid|--brute-force] -o ~/new.png  > FILE: SAYS
+gridstat --occupancy FILE                              > FILE: SAYS
+)"},
+               {"grid", "scene", R"(
+gridrender ~/a.scene FILE -o ~/new.png                 > FILE: SAYS
+gridstat FILE [|--slice z=0 -o ~/new.png]              > FILE: SAYS
+)"}};
+  for (const auto& [kind, other, readers] : kinds) {
+    const std::string none = "isn't a " + kind + " file";
+    for (const auto& [path, says] : {std::pair<std::string, std::string>{"~/missing", "No such file"},
+                                     {"~", "is a directory"},
+                                     {"~/empty", none},
+                                     {"~/a.nff", none},
+                                     {"~/a." + other, none},
+                                     {"~/cut." + kind, "truncated"},
+                                     {"~/flipped." + kind, "hash"}})
+      expect_refused(2, std::regex_replace(std::regex_replace(readers, std::regex("FILE"), path),
+                                           std::regex("SAYS"), says));
+  }
+  expect_refused(2, "nff2bin ~/flipped.scene --info > ~/flipped.scene: hash");
 }
 
 TEST_F(BadFiles, AGridOfAnotherGeometryIsRefused) {
@@ -147,74 +147,45 @@ gridstat ~/a.grid --slice z=0 --outline ~/[other|wide|moved].scene -o ~/new.png 
 )");
 }
 
-TEST_F(BadFiles, Nff2binRecognisesSceneFiles) {
-  expect_refused(1, "nff2bin ~/a.scene -o ~/new.scene > ~/a.scene: scene file already");
-  Bytes bytes = read_bytes(scene_);
-  bytes.back() ^= 1;
-  write_bytes(file("flipped"), bytes);
-  expect_refused(2, "nff2bin ~/flipped --info > ~/flipped: hash");
-}
-
 TEST_F(BadFiles, ListsThatHoldNoWholeNumberOfRaysAreRefused) {
-  const auto list = [&](std::size_t floats, const Arguments& more) {
-    write_records(file("rays"), std::vector<float>(floats, 1));
-    return fails(2, "gridtrace", joined({scene_, grid_, file("rays"), "-o", file("hits")}, more),
-                 file("rays"), "not a whole number of rays");
-  };
-  EXPECT_TRUE(list(5, {}));
-  EXPECT_TRUE(list(7, {}));
-  EXPECT_TRUE(list(12, {"--ray-numbers", "8"}));
-  EXPECT_TRUE(list(6, {"--ray-store", "float64"}));
-  write_bytes(file("rays"), Bytes{1});
-  EXPECT_TRUE(fails(2, "gridtrace", {scene_, grid_, file("rays"), "-o", file("hits")}, file("rays"),
-                    "not a whole number of rays"));
-  EXPECT_TRUE(fails(2, "gridtrace", {scene_, grid_, file("missing"), "-o", file("hits")}, file("missing"),
-                    "No such file"));
+  for (const auto& [bytes, more] : {std::pair{20, Arguments{}},
+                                    {28, {}},
+                                    {1, {}},
+                                    {48, {"--ray-numbers", "8"}},
+                                    {24, {"--ray-store", "float64"}}})
+    EXPECT_TRUE(refuses("rays", std::string(static_cast<std::size_t>(bytes), '\1'),
+                        "not a whole number of rays", "", more))
+        << bytes;
+  expect_refused(2, "gridtrace ~/a.scene ~/a.grid ~/missing -o ~/hits > ~/missing: No such file");
 }
 
 // Though 24 bytes of it would be a ray.
 TEST_F(BadFiles, ListsThatAreNotWhatTheirNamesSayAreRefused) {
-  const auto list = [&](const std::string& name, std::string_view text, const std::string& says) {
-    write_text(file(name), text);
-    Arguments arguments{scene_, grid_, file(name), "-o", file("hits")};
-    const auto result = fails(2, "gridtrace", arguments, file(name), says);
-    if (!result) return result;
-    arguments[2] = "-";
-    if (name != "rays") return result;
-    return fails(2, "gridtrace", arguments, "stdin", says, {file(name), {}, {}});
+  const std::string line = "1,2,3,4,5,6\n", text = "ox,oy,oz,dx,dy,dz\n" + line, zeros(48, '\0');
+  const Arguments piped{scene_, grid_, "-", "-o", file("hits")};
+  const auto both_refuse = [&](const std::string& content) {
+    EXPECT_TRUE(refuses("rays", content, "is a text"));
+    EXPECT_TRUE(fails(2, "gridtrace", piped, "stdin", "is a text", {file("rays"), {}, {}}));
   };
-  const std::string text = "ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n";
   for (const std::size_t size : {24UL, 30UL, 1UL})
-    EXPECT_TRUE(list("rays", text.substr(0, size), "is a text"));
+    both_refuse(text.substr(0, size));
   std::string long_text = text;
   while (long_text.size() < 24 * 500)
-    long_text += "1,2,3,4,5,6\n";
-  for (const char* const name : {"rays", "rays.f32", "rays.f64", "rays.txt"})
-    EXPECT_TRUE(list(name, long_text.substr(0, 24 * 500), "is a text"));
-  EXPECT_TRUE(list("rays.npy", text, "isn't a NumPy array"));
-  EXPECT_TRUE(list("rays.npy", std::string(48, '\0'), "isn't a NumPy array"));
-  EXPECT_TRUE(list("rays.f64", std::string(24, '\0'), "not a whole number of rays"));
-  const auto csv = [&](const std::string& content, const std::string& at, const std::string& says) {
-    write_text(file("rays.csv"), content);
-    return fails(2, "gridtrace", {scene_, grid_, file("rays.csv"), "-o", file("hits")}, file("rays.csv") + at,
-                 says);
-  };
-  EXPECT_TRUE(csv("", "", "has no line of columns' names"));
-  EXPECT_TRUE(csv(text + "1,2,x,4,5,6\n", ":3:5", "'x' isn't a number"));
-  EXPECT_TRUE(csv(std::string(48, '\0'), ":1:1", "isn't one of the columns"));
-  EXPECT_TRUE(
-      fails(2, "gridtrace", {scene_, grid_, "/dev/null", "-o", file("hits")}, "/dev/null", "is a device"));
+    long_text += line;
+  long_text.resize(24 * 500);
+  both_refuse(long_text);
+  for (const char* const name : {"rays.f32", "rays.f64", "rays.txt"})
+    EXPECT_TRUE(refuses(name, long_text, "is a text"));
+  EXPECT_TRUE(refuses("rays.npy", text, "isn't a NumPy array"));
+  EXPECT_TRUE(refuses("rays.npy", zeros, "isn't a NumPy array"));
+  EXPECT_TRUE(refuses("rays.f64", zeros.substr(0, 24), "not a whole number of rays"));
+  EXPECT_TRUE(refuses("rays.csv", "", "has no line of columns' names"));
+  EXPECT_TRUE(refuses("rays.csv", text + "1,2,x,4,5,6\n", "'x' isn't a number", ":3:5"));
+  EXPECT_TRUE(refuses("rays.csv", zeros, "isn't one of the columns", ":1:1"));
+  expect_refused(2, "gridtrace ~/a.scene ~/a.grid /dev/null -o ~/hits > /dev/null: is a device");
 }
 
 TEST_F(BadFiles, NumPyArraysThatArentRaysAreRefused) {
-  const auto fails_with = [&](const std::string& dictionary, std::size_t floats) {
-    std::string text = "\x93NUMPY\x01";
-    text += '\0';
-    text += static_cast<char>(dictionary.size());
-    text += '\0';
-    write_text(file("rays.npy"), text + dictionary + std::string(4 * floats, '\0'));
-    return fails(2, "gridtrace", {scene_, grid_, file("rays.npy"), "-o", file("hits")}, file("rays.npy"));
-  };
   for (const char* const dictionary :
        {"", "{", "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 6",
         "{'descr': '<f4', 'fortran_order': True, 'shape': (2, 6), }",
@@ -225,9 +196,8 @@ TEST_F(BadFiles, NumPyArraysThatArentRaysAreRefused) {
         "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 99999999999999999999), }",
         "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 6), }",  // less than there is
         "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 6), }"}) // more
-    EXPECT_TRUE(fails_with(dictionary, 12)) << dictionary;
-  write_text(file("rays.npy"), "\x93NUMPY");
-  EXPECT_TRUE(fails(2, "gridtrace", {scene_, grid_, file("rays.npy"), "-o", file("hits")}, file("rays.npy")));
+    EXPECT_TRUE(refuses("rays.npy", npy_head(dictionary) + std::string(48, '\0'))) << dictionary;
+  EXPECT_TRUE(refuses("rays.npy", "\x93NUMPY"));
 }
 
 // --- Output ---------------------------------------------------------------------------------------------
@@ -398,7 +368,7 @@ gridtrace ~/a.scene ~/a.grid ~/loop -o ~/new                       > ~/loop: sym
 
 TEST_F(Inputs, FromStandardInputAreNeverOutputs) {
   const Bytes before = read_bytes(text_);
-  EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", text_}, {text_, {}, {}}), 1, "nff2bin", text_, "itself"));
+  expect_refused(1, "nff2bin - -o ~/a.nff > ~/a.nff: itself", {.input = text_});
   EXPECT_TRUE(read_bytes(text_) == before);
 }
 
@@ -481,13 +451,9 @@ TEST_F(ToolErrors, ControlCharactersOfTextsAreEscaped) {
 
 // Results may have been found on a CPU for want of a GPU: that is said with them, and not before an error.
 TEST_F(ToolErrors, AreLinesAlone) {
-  const std::string none = file("none.scene"), grid = file("none.grid");
-  if (std::string_view(MASU_TOOLS).find("gridview") != std::string_view::npos) { // where it is built
-    EXPECT_TRUE(fails(2, "gridview", {none, grid}, none));
-  }
-  EXPECT_TRUE(fails(2, "gridbench", {"crossings", none, grid}, none));
-  EXPECT_TRUE(fails(2, "gridbench", {"rays", none, grid}, none));
-  EXPECT_TRUE(fails(2, "gridbench", {"frame", none, grid}, none));
+  const bool has_view = std::string_view(MASU_TOOLS).find("gridview") != std::string_view::npos;
+  expect_refused(2, "gridbench [crossings|rays|frame] ~/none.scene ~/none.grid > ~/none.scene");
+  if (has_view) expect_refused(2, "gridview ~/none.scene ~/none.grid > ~/none.scene");
 }
 
 // Not even by a zero byte.

@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <random>
 #include <set>
+#include <sstream>
 
 namespace masu {
 namespace {
@@ -23,18 +24,17 @@ std::vector<WrittenHit> hits_in(const std::string& path) {
   return read_records<WrittenHit>(path);
 }
 
-// Six numbers each, within 2 of the origin.
-std::vector<float> random_rays(std::size_t count) {
-  std::mt19937 engine(7);
-  std::uniform_real_distribution<float> coordinate(-2, 2);
-  std::vector<float> rays(6 * count);
-  for (float& number : rays)
-    number = coordinate(engine);
-  return rays;
-}
-
 class Tools : public SmallSceneTest {
 protected:
+  // What gridtrace finds for rays of six numbers each.
+  std::vector<WrittenHit> hits_of(const std::vector<float>& rays) const {
+    write_records(file("rays"), rays);
+    trace({file("rays"), "-o", file("hits")});
+    std::vector<WrittenHit> hits = hits_in(file("hits"));
+    EXPECT_EQ(hits.size(), rays.size() / 6);
+    hits.resize(rays.size() / 6);
+    return hits;
+  }
   nlohmann::json info_of(const std::string& path, const Arguments& more = {}) const {
     return json_of("nff2bin", joined({path, "--info"}, more));
   }
@@ -161,8 +161,7 @@ TEST_F(Tools, ListedRaysMayBeFloat64) {
   for (const double aside : {0.0, 1.5, -0.5, -1.125, 1.2, 1.3})
     rays.insert(rays.end(), {20000000 + aside, -3, 0, 0, 1, 0});
   write_records(file("rays"), rays);
-  EXPECT_TRUE(succeeded(
-      run("gridtrace", {far, far_grid, file("rays"), "--ray-store", "float64", "-o", file("hits")})));
+  expect_run("gridtrace", {far, far_grid, file("rays"), "--ray-store", "float64", "-o", file("hits")});
   const std::vector<WrittenHit> hits = hits_in(file("hits"));
   ASSERT_EQ(hits.size(), 6U);
   const std::array<bool, 6> hit{true, false, true, false, true, false};
@@ -172,32 +171,32 @@ TEST_F(Tools, ListedRaysMayBeFloat64) {
 }
 
 TEST_F(Tools, ListedRaysMayHaveAnyOriginAndLength) {
-  const std::vector<float> rays{
-      0,     0, 5,    0, 0, -1,      // down onto the sphere: distance 4
-      0,     0, 5,    0, 0, -1e-15F, // the same, with a short direction
-      0,     0, 5,    0, 0, -1e15F,  // the same, with a long direction
-      0,     0, 0.5F, 0, 0, 1,       // from inside: distance 0.5
-      0,     0, 5,    0, 0, 1,       // away from the scene
-      1,     1, 1e9F, 0, 0, -1,      // from afar onto the floor
-      1e15F, 0, 0,    0, 1, 0,       // past everything
+  const struct {
+    std::array<float, 6> ray;
+    std::int32_t object;
+    float distance;
+  } cases[] = {
+      {{0, 0, 5, 0, 0, -1}, 1, 4},          // down onto the sphere
+      {{0, 0, 5, 0, 0, -1e-15F}, 1, 4e15F}, // the same, with a short direction
+      {{0, 0, 5, 0, 0, -1e15F}, 1, 4e-15F}, // the same, with a long direction
+      {{0, 0, 0.5F, 0, 0, 1}, 1, 0.5F},     // from inside
+      {{0, 0, 5, 0, 0, 1}, -1, 0},          // away from the scene
+      {{1, 1, 1e9F, 0, 0, -1}, 0, 1e9F},    // from afar onto the floor
+      {{1e15F, 0, 0, 0, 1, 0}, -1, 0},      // past everything
   };
-  write_records(file("rays"), rays);
-  trace({file("rays"), "-o", file("hits")});
-  const std::vector<WrittenHit> hits = hits_in(file("hits"));
-  ASSERT_EQ(hits.size(), 7U);
-  const std::array<std::int32_t, 7> objects{1, 1, 1, 1, -1, 0, -1};
-  const std::array<float, 7> distances{4, 4e15F, 4e-15F, 0.5F, 0, 1e9F, 0};
-  for (std::size_t i = 0; i < 7; ++i) {
-    EXPECT_EQ(hits[i].object, objects[i]) << "ray " << i;
-    if (objects[i] < 0) continue;
-    EXPECT_NEAR(hits[i].t / distances[i], 1, 1e-5) << "ray " << i;
+  std::vector<float> rays;
+  for (const auto& [ray, object, distance] : cases)
+    rays.insert(rays.end(), ray.begin(), ray.end());
+  const std::vector<WrittenHit> hits = hits_of(rays);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    EXPECT_EQ(hits[i].object, cases[i].object) << "ray " << i;
+    if (cases[i].object < 0) continue;
+    EXPECT_NEAR(hits[i].t / cases[i].distance, 1, 1e-5) << "ray " << i;
   }
 }
 
 TEST_F(Tools, AnEmptyListOfRaysHasNoHits) {
-  write_text(file("rays"), "");
-  trace({file("rays"), "-o", file("hits")});
-  EXPECT_TRUE(hits_in(file("hits")).empty());
+  EXPECT_TRUE(hits_of({}).empty());
 }
 
 // tests/api/library_test.cpp has all that is wrong with a ray.
@@ -273,15 +272,12 @@ TEST_F(Tools, HitsHaveTheFieldsThatAreAskedFor) {
 }
 
 TEST_F(Tools, RaysAndHitsMayBeNumPyArraysAndPipes) {
-  const std::vector<float> rays = random_rays(5000);
+  const std::vector<float> rays = random_rays(5000, 2);
   const std::string_view raw{reinterpret_cast<const char*>(rays.data()), 4 * rays.size()};
   write_text(file("rays"), raw);
-  std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (5000, 6), }\n";
-  std::string preamble = "\x93NUMPY\x01";
-  preamble += '\0';
-  preamble += static_cast<char>(header.size());
-  preamble += '\0';
-  write_text(file("rays.npy"), preamble + header + std::string(raw));
+  const std::string head_of_rays =
+      npy_head("{'descr': '<f4', 'fortran_order': False, 'shape': (5000, 6), }\n");
+  write_text(file("rays.npy"), head_of_rays + std::string(raw));
   trace({file("rays"), "-o", file("hits")});
   trace({file("rays.npy"), "-o", file("from npy")});
   EXPECT_TRUE(read_bytes(file("hits")) == read_bytes(file("from npy")));
@@ -299,20 +295,17 @@ TEST_F(Tools, RaysAndHitsMayBeNumPyArraysAndPipes) {
 
 // As raw numbers of both sizes, as text, with limits, and with the numbers of an array that are the columns.
 TEST_F(Tools, ListsAreReadAsTheEndOfTheirNameSays) {
-  const std::vector<float> rays = random_rays(3000);
+  const std::vector<float> rays = random_rays(3000, 2);
   const std::vector<double> wide(rays.begin(), rays.end());
   std::string text = "ox,oy,oz,dx,dy,dz\n", turned = "tmax,dz,dy,dx,oz,oy,ox\n";
-  for (std::size_t i = 0; i < rays.size(); i += 6) {
-    text += fmt::format("{},{},{},{},{},{}\n", rays[i], rays[i + 1], rays[i + 2], rays[i + 3], rays[i + 4],
-                        rays[i + 5]);
-    turned += fmt::format("inf,{},{},{},{},{},{}\n", rays[i + 5], rays[i + 4], rays[i + 3], rays[i + 2],
-                          rays[i + 1], rays[i]);
+  for (auto ray = rays.begin(); ray != rays.end(); ray += 6) {
+    text += fmt::format("{}\n", fmt::join(ray, ray + 6, ","));
+    turned +=
+        fmt::format("inf,{}\n", fmt::join(std::reverse_iterator(ray + 6), std::reverse_iterator(ray), ","));
   }
-  const std::string_view raw{reinterpret_cast<const char*>(rays.data()), 4 * rays.size()},
-      raw_wide{reinterpret_cast<const char*>(wide.data()), 8 * wide.size()};
-  write_text(file("rays"), raw);
-  write_text(file("rays.f32"), raw);
-  write_text(file("rays.f64"), raw_wide);
+  write_records(file("rays"), rays);
+  write_records(file("rays.f32"), rays);
+  write_records(file("rays.f64"), wide);
   write_text(file("rays.csv"), text);
   write_text(file("turned.csv"), turned);
   trace({file("rays"), "-o", file("expected")});
@@ -322,31 +315,28 @@ TEST_F(Tools, ListsAreReadAsTheEndOfTheirNameSays) {
     EXPECT_TRUE(read_bytes(file("hits")) == expected) << name;
   }
   // What is said is what counts, as for --format.
-  write_text(file("wide.f32"), raw_wide);
+  write_records(file("wide.f32"), wide);
   trace({file("wide.f32"), "--ray-store", "float64", "-o", file("hits")});
   EXPECT_TRUE(read_bytes(file("hits")) == expected);
 }
 
 // Of a file with such columns: numbers that read back the same.
-std::vector<std::vector<float>> rows_of_csv(const std::string& path, const std::string& names) {
+using HitRows = std::vector<std::vector<float>>;
+HitRows rows_of_csv(const std::string& path, const std::string& names) {
   Csv<float> csv = read_csv<float>(path);
   EXPECT_EQ(csv.names, names);
   return csv.rows;
 }
 
 TEST_F(Tools, HitsAreWrittenAsTheEndOfTheirNameSays) {
-  const std::vector<float> rays = random_rays(40'000); // text of several tasks
+  const std::vector<float> rays = random_rays(40'000, 2); // text of several tasks
   write_records(file("rays"), rays);
-  const auto list = [&](const std::string& hits) {
-    trace({file("rays"), "--write", "t,uv,normal,object,primitive", "-o", file(hits)});
-  };
   struct Record {
     float numbers[6];
     std::int32_t object, primitive;
   };
-  list("raw");
-  list("raw.f32");
-  list("text.csv");
+  for (const char* const name : {"raw", "raw.f32", "text.csv"})
+    trace({file("rays"), "--write", "t,uv,normal,object,primitive", "-o", file(name)});
   const Bytes raw = read_bytes(file("raw"));
   EXPECT_TRUE(read_bytes(file("raw.f32")) == raw);
   const auto records = read_records<Record>(file("raw"));
@@ -377,34 +367,33 @@ TEST_F(Tools, AllHitsAreListedCountedAndFiltered) {
     trace(joined({file("rays"), "-o", file("hits.csv")}, options));
     return rows_of_csv(file("hits.csv"), columns);
   };
-  using Rows = std::vector<std::vector<float>>;
   const float miss = std::numeric_limits<float>::infinity();
   // A line for each hit.
   for (const std::string most : {"3", "65536"})
-    EXPECT_EQ(csv({"--all-hits", most}, "ray,hit,t,object,front"),
-              (Rows{{0, 0, 4, 1, 1}, {0, 1, 5, 0, 1}, {0, 2, 5, 1, 0}, {1, 0, 5, 0, 1}, {2, 0, 0.5F, 1, 0}}));
+    EXPECT_EQ(
+        csv({"--all-hits", most}, "ray,hit,t,object,front"),
+        (HitRows{{0, 0, 4, 1, 1}, {0, 1, 5, 0, 1}, {0, 2, 5, 1, 0}, {1, 0, 5, 0, 1}, {2, 0, 0.5F, 1, 0}}));
   EXPECT_EQ(csv({"--all-hits", "2", "--write", "front,t64"}, "ray,hit,front,t64"),
-            (Rows{{0, 0, 1, 4}, {0, 1, 1, 5}, {1, 0, 1, 5}, {2, 0, 0, 0.5F}}));
+            (HitRows{{0, 0, 1, 4}, {0, 1, 1, 5}, {1, 0, 1, 5}, {2, 0, 0, 0.5F}}));
   EXPECT_EQ(csv({"--all-hits", "2", "--write", "normal", "--objects", "0"}, "ray,hit,nx,ny,nz"),
-            (Rows{{0, 0, 0, 0, 1}, {1, 0, 0, 0, 1}}));
+            (HitRows{{0, 0, 0, 0, 1}, {1, 0, 0, 0, 1}}));
   EXPECT_EQ(csv({"--count-hits", "--write", "count,inside"}, "count,inside"),
-            (Rows{{3, 2}, {1, 2}, {1, 1}, {0, 0}})); // the floor isn't closed
+            (HitRows{{3, 2}, {1, 2}, {1, 1}, {0, 0}})); // the floor isn't closed
   EXPECT_EQ(csv({"--faces", "back", "--write", "t64,object"}, "t64,object"),
-            (Rows{{5, 1}, {miss, -1}, {0.5F, 1}, {miss, -1}}));
+            (HitRows{{5, 1}, {miss, -1}, {0.5F, 1}, {miss, -1}}));
   write_records(file("none"), std::vector<std::int32_t>{2, -1, 2, -1}); // the sphere
-  EXPECT_EQ(csv({"--exclude", file("none")}, "t,object"), (Rows{{5, 0}, {5, 0}, {miss, -1}, {miss, -1}}));
-  EXPECT_EQ(csv({"--objects", "0"}, "t,object"), (Rows{{5, 0}, {5, 0}, {miss, -1}, {miss, -1}}));
-  EXPECT_EQ(csv({"--objects", "1,0-1", "--count-hits"}, "count"), (Rows{{3}, {1}, {1}, {0}}));
-  for (const char* const more : {"--brute-force", "--threads"}) {
-    const Arguments options = more == std::string("--threads")
-                                  ? Arguments{scene_, grid_, file("rays"), more, "1"}
-                                  : Arguments{scene_, file("rays"), more};
-    const Arguments all{"--all-hits", "20", "-o", file("other"), "--backend", "cpu"};
-    expect_run("gridtrace", joined(options, all));
-    trace({file("rays"), "--all-hits", "20", "-o", file("records")});
-    EXPECT_TRUE(read_bytes(file("records")) == read_bytes(file("other")));
-    EXPECT_EQ(read_bytes(file("records")).size(), 4U * (4 + 20 * 9));
-  }
+  EXPECT_EQ(csv({"--exclude", file("none")}, "t,object"), (HitRows{{5, 0}, {5, 0}, {miss, -1}, {miss, -1}}));
+  EXPECT_EQ(csv({"--objects", "0"}, "t,object"), (HitRows{{5, 0}, {5, 0}, {miss, -1}, {miss, -1}}));
+  EXPECT_EQ(csv({"--objects", "1,0-1", "--count-hits"}, "count"), (HitRows{{3}, {1}, {1}, {0}}));
+  expect_runs(R"(
+gridtrace ~/a.scene ~/a.grid ~/rays --all-hits 20 -o ~/records --backend cpu
+gridtrace ~/a.scene ~/a.grid ~/rays --all-hits 20 -o ~/one --backend cpu --threads 1
+gridtrace ~/a.scene ~/rays --all-hits 20 -o ~/brute --backend cpu --brute-force
+)");
+  const Bytes records = read_bytes(file("records"));
+  EXPECT_EQ(records.size(), 4U * (4 + 20 * 9));
+  EXPECT_TRUE(read_bytes(file("one")) == records);
+  EXPECT_TRUE(read_bytes(file("brute")) == records);
 }
 
 TEST_F(Tools, HitsOfPicturesAreWrittenAsTheEndOfTheirNameSaysToo) {
@@ -444,21 +433,16 @@ std::set<std::string> keys(const nlohmann::json& json) {
 
 TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
   const auto stats = stats_of({});
-  EXPECT_EQ(keys(stats), (std::set<std::string>{"version",         "commit",
-                                                "command",         "backend",
-                                                "device",          "scene_hash",
-                                                "grid_hash",       "views",
-                                                "eye_rays",        "eye_hits",
-                                                "reflection_rays", "refraction_rays",
-                                                "shadow_rays",     "shadow_hits",
-                                                "secondary_hits",  "intersection_tests",
-                                                "cells_visited",   "empty_cells_visited",
-                                                "voxels_skipped",  "seconds",
-                                                "precision",       "precision_reason",
-                                                "double_views"}));
-  EXPECT_EQ(keys(stats["intersection_tests"]), (std::set<std::string>{"triangle", "sphere", "cone"}));
-  EXPECT_EQ(keys(stats["seconds"]),
-            (std::set<std::string>{"map", "validate", "upload", "trace", "download", "write"}));
+  const auto expect_keys = [](const nlohmann::json& json, const std::string& names) {
+    std::istringstream all(names);
+    EXPECT_EQ(keys(json), (std::set<std::string>{std::istream_iterator<std::string>(all), {}}));
+  };
+  expect_keys(stats, "version commit command backend device scene_hash grid_hash views eye_rays eye_hits "
+                     "reflection_rays refraction_rays shadow_rays shadow_hits secondary_hits "
+                     "intersection_tests cells_visited empty_cells_visited voxels_skipped seconds precision "
+                     "precision_reason double_views");
+  expect_keys(stats["intersection_tests"], "triangle sphere cone");
+  expect_keys(stats["seconds"], "map validate upload trace download write");
   EXPECT_EQ(stats["backend"], "cpu");
   EXPECT_EQ(stats["views"], 1);
   EXPECT_EQ(info_of(scene_)["geometry_hash"], json_of("gridstat", {grid_})["geometry_hash"]);
@@ -485,10 +469,8 @@ TEST_F(Tools, StatsAddUp) {
 
 TEST_F(Tools, StatsCountTheSameForAnyNumberOfThreads) {
   auto one = stats_of({"--threads", "1"}), two = stats_of({"--threads", "2"});
-  for (const char* const name : {"seconds", "command", "device"}) {
-    one.erase(name);
-    two.erase(name);
-  }
+  for (const char* const name : {"seconds", "command", "device"})
+    one[name] = two[name];
   EXPECT_EQ(one, two);
 }
 
@@ -524,8 +506,8 @@ TEST_F(Tools, TessellationKeepsTheObjectCounts) {
 }
 
 TEST_F(Tools, GridbuildAndGridstatAgree) {
-  const auto built = json_of("gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--merge",
-                                           "none", "--space", "cube"});
+  const auto built =
+      json_of("gridbuild", words("~/a.scene -o ~/b.grid --division 5x4x3 --merge none --space cube"));
   const auto info = json_of("gridstat", {file("b.grid")});
   EXPECT_EQ(built["division"], (std::vector<int>{5, 4, 3}));
   EXPECT_EQ(info["division"], built["division"]);
@@ -541,10 +523,8 @@ TEST_F(Tools, GridbuildAndGridstatAgree) {
 }
 
 TEST_F(Tools, AGivenDivisionIsNotMerged) {
-  for (const char* const merge : {"auto", "none"}) {
-    EXPECT_TRUE(succeeded(
-        run("gridbuild", {scene_, "-o", file(merge), "--division", "700x700x700", "--merge", merge})));
-  }
+  for (const char* const merge : {"auto", "none"})
+    grid(merge, scene_, "700x700x700", {"--merge", merge});
   EXPECT_TRUE(read_bytes(file("auto")) == read_bytes(file("none")));
 }
 
@@ -581,15 +561,8 @@ TEST_F(Tools, GridstatsCsvHasTheSameColumnsForEveryGrid) {
 // --- Files ----------------------------------------------------------------------------------------------
 
 TEST_F(Tools, StandardInputAndAFileGiveTheSameScene) {
-  const ToolResult result = run("nff2bin", {"-", "-o", file("piped.scene")}, {text_, {}, {}});
-  EXPECT_TRUE(succeeded(result));
+  expect_run("nff2bin", {"-", "-o", file("piped.scene")}, {.input = text_});
   EXPECT_TRUE(read_bytes(file("piped.scene")) == read_bytes(scene_));
-}
-
-TEST_F(Tools, NffgenWritesTheSameToAFileAndToStandardOutput) {
-  const ToolResult printed = run("nffgen", {"rings", "--size", "2"});
-  EXPECT_TRUE(succeeded(printed));
-  EXPECT_TRUE(printed.out == read_text(spd("rings.nff", "rings", 2)));
 }
 
 TEST_F(Tools, Float64IsStoredWhereFloat32IsTooCoarse) {
@@ -670,14 +643,10 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
   const auto geometry = [&](const std::string& path) { return info_of(path)["geometry_hash"]; };
   EXPECT_EQ(geometry(other), geometry(scene_));
   EXPECT_NE(geometry(scene("b.scene", nff("b.nff", other_nff))), geometry(scene_));
-  for (const Arguments& built : std::vector<Arguments>{{"--merge", "none"},
-                                                       {"--merge", "x"},
-                                                       {"--merge", "balance"},
-                                                       {"--merge", "irregular"},
-                                                       {"--structure", "bvh"},
-                                                       {"--structure", "fastest"}}) {
-    SCOPED_TRACE(built.back());
-    const std::string division = built.back() == "bvh" ? "auto" : "6";
+  for (const std::string kind : {"none", "x", "balance", "irregular", "bvh", "fastest"}) {
+    SCOPED_TRACE(kind);
+    const Arguments built{kind == "bvh" || kind == "fastest" ? "--structure" : "--merge", kind};
+    const std::string division = kind == "bvh" ? "auto" : "6";
     const std::string old = grid("old.grid", scene_, division, built);
     EXPECT_EQ(json_of("gridstat", {old})["geometry_hash"], geometry(scene_));
     const auto hits = [&](const Arguments& through, const std::string& name) {
@@ -779,9 +748,8 @@ TEST_F(Tools, BenchOracleFindsNoFailuresOfRobustAndDouble) {
   for (const auto& row : rows) {
     EXPECT_EQ(row["rays"], 2000);
     EXPECT_LT(row["unsure"].get<int>(), 200);
-    if (row["precision"] == "fast") continue;
     for (const char* const failure : {"missed", "false", "wrong", "misplaced"})
-      EXPECT_EQ(row[failure], 0) << failure;
+      EXPECT_TRUE(row["precision"] == "fast" || row[failure] == 0) << failure;
   }
 }
 

@@ -32,6 +32,7 @@ nff2bin ~/a.nff -o ~/new [--json|--store float16|--threads -1]
 nff2bin ~/a.nff -o ~/a.nff                                               > @
 nff2bin ~/a.nff -o ~/new --tessellate [0|-4|3|6|1028|12.0|x|99999999999999999999]
 nff2bin ~/a.scene --info --tessellate 12                                 > ~/a.scene
+nff2bin ~/a.scene -o ~/new.scene                                         > ~/a.scene: scene file already
 nff2bin ~/a.nff -o ~/new --origin [nan,0,0|0,inf,0|0,0,1e300|1,2|1,2,3,4|here] > --origin
 gridbuild ~/a.scene
 gridbuild ~/a.scene -o ~/new --division [0|x|cleary:1e30|99999999999999999999|65535] > --division
@@ -54,16 +55,12 @@ gridrender ~/a.scene ~/a.grid -o ~/new.png [--backend|--sampling|--threads] what
 gridrender ~/a.scene ~/a.grid -o [~/new.bmp|~/new|png|~/new.PNG|~/new.JPG]         > @
 gridrender ~/a.scene ~/a.grid -o ~/new --format [bmp|jpeg]
 gridrender ~/a.scene ~/a.grid -o ~/new.jpg --quality [0|101|-1|x|1.5]
-gridrender ~/a.scene ~/a.grid -o [~/new.png|~/new.pfm|-] --quality 90    > --quality: JPEG
-gridrender ~/a.scene ~/a.grid -o ~/new.jpg --format png --quality 90     > --quality: JPEG
-gridrender ~/a.scene ~/a.grid --hits ~/new --quality 90                  > --quality: JPEG
-gridrender ~/a.scene ~/a.grid -o ~/new.jpg --channels depth --no-picture --quality 90 > --quality: JPEG
+gridrender ~/a.scene ~/a.grid [-o ~/new.png|-o ~/new.pfm|-o -|--hits ~/new] --quality 90 > --quality: JPEG
+gridrender ~/a.scene ~/a.grid -o ~/new.jpg [--format png|--channels depth --no-picture] --quality 90 > --quality: JPEG
 gridrender ~/a.scene ~/a.grid -o ~/new.jpg --size [65501x1|1x65501|65536x65536] > --format: JPEG
-gridrender ~/a.scene ~/a.grid -o ~/new.png [--write|--any-hit]           > @
 gridrender ~/a.scene ~/a.grid -o ~/new.png --from 0,0,0.5                > --at: the point that the view is from
-gridrender ~/a.scene ~/a.grid -o ~/new.png --from 0,0,5 --at 0,0,-1      > --up: parallel
 gridrender ~/a.scene ~/a.grid -o ~/new.png --up 0,0,0                    > --up: no length
-gridrender ~/a.scene ~/a.grid -o ~/new.png --up 3,-4,1.5                 > --up: parallel
+gridrender ~/a.scene ~/a.grid -o ~/new.png [--up 3,-4,1.5|--from 0,0,5 --at 0,0,-1] > --up: parallel
 gridrender ~/a.scene ~/a.grid -o ~/new.png --from 1e13,0,0               > --from: 1e+12
 gridrender ~/a.scene ~/a.grid -o ~/new.png --angle [0|-1|180|nan|inf]    > --angle
 gridrender ~/a.scene ~/a.grid -o ~/new.png [--from|--at|--up] [1,2|1,2,3,4|1,2,x|1,,3|nan,0,0|0,inf,0|1_2_3] > @option
@@ -82,15 +79,15 @@ gridrender ~/a.scene ~/a.grid -o ~/new.png --channels depth,depth        > --cha
 gridrender ~/a.scene ~/a.grid -o ~/new.png --channels depth --channel-format exr
 gridrender ~/a.scene ~/a.grid --channels depth --stats ~/new             > --channels: needs -o
 gridrender ~/a.scene ~/a.grid -o - --channels depth                      > --channels: file name
-gridrender ~/a.scene ~/a.grid -o ~/new.png [--all-rays|--no-picture|--json] > @
-gridrender ~/a.scene ~/a.grid -o ~/new.png --channel-high 1000           > --channel-high
+gridrender ~/a.scene ~/a.grid -o ~/new.png [--all-rays|--no-picture|--json|--write|--any-hit] > @
 gridrender ~/a.scene ~/a.grid -o ~/new.png --channels depth --channel-high 9 > --channel-high: cells and tests
-gridrender ~/a.scene ~/a.grid -o ~/new.png [--channel-format npy|--hit-name face] > @option
+gridrender ~/a.scene ~/a.grid -o ~/new.png [--channel-format npy|--channel-high 1000|--hit-name face] > @option
 gridrender ~/a.scene ~/a.grid --hits ~/new [--srgb|--format png]         > @option
 gridrender ~/a.scene ~/a.grid -o ~/new.pfm --srgb                        > --srgb: PNG or JPEG
 gridrender ~/a.scene ~/a.grid -o ~/new.png --brute-force                 > GRID: isn't used
 gridrender ~/a.scene -o ~/new.png --brute-force --first-cell-hit         > --first-cell-hit: needs a grid
 gridrender ~/a.scene ~/a.grid -o ~/new.png --hits ~/new.depth.pfm --channels depth > ~/new.depth.pfm: twice
+gridrender ~/a.scene ~/a.grid --stats= ~/new -o ~/new.png                > command line: --stats=
 gridrender ~/a.scene ~/a.grid --backend cpu --resume --stats ~/new       > --resume
 gridrender ~/a.scene ~/a.grid --backend cpu --resume -o -                > -
 gridrender ~/a.scene ~/a.grid --backend cpu --resume -o /dev/null --format png > /dev/null
@@ -110,8 +107,7 @@ gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --ray-numbers 7
 gridtrace ~/a.scene ~/a.grid ~/new[.npy|.csv] -o ~/new --ray-numbers 8   > --ray-numbers: numbers alone
 gridtrace ~/a.scene ~/a.grid ~/new[.npy|.csv] -o ~/new --ray-store float64 > --ray-store: numbers alone
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --hit-name face [--write t|--any-hit|--count-hits] > --hit-name
-gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --brute-force                > GRID: isn't used
-gridtrace ~/a.scene ~/a.grid --ray 0,0,5,0,0,-1 --brute-force            > GRID: isn't used
+gridtrace ~/a.scene ~/a.grid [~/new -o ~/new|--ray 0,0,5,0,0,-1] --brute-force > GRID: isn't used
 gridtrace ~/a.scene ~/new -o ~/new --brute-force --first-cell-hit        > --first-cell-hit: needs a grid
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new.csv --all-hits 2 --write count,t > --write: count
 gridtrace ~/a.scene ~/a.grid --pixel 1,1 [--depth 3|--spd-rules]         > @option: --all-rays
@@ -119,8 +115,7 @@ gridtrace ~/a.scene ~/a.grid --pixel 1,1 [--backend cuda|--devices 0|--devices a
 gridtrace ~/a.scene ~/a.grid - -o ~/new --objects=[2|0-2|1-0|a|0,|-1] > --objects
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new.f64                          > -o
 gridtrace ~/a.scene ~/a.grid ~/new -o ~/new [--json|--depth 3]           > @option
-gridtrace ~/a.scene ~/a.grid ~/new -o ~/new --size 8x8
-gridtrace ~/a.scene ~/a.grid --ray 0,0,5,0,0,-1 --size 8x8
+gridtrace ~/a.scene ~/a.grid [~/new -o ~/new|--ray 0,0,5,0,0,-1] --size 8x8
 gridtrace ~/a.scene ~/a.grid ~/new --pixel 1,1                           > RAYS
 gridtrace ~/a.scene ~/a.grid --pixel 1,1 -o ~/new                        > --output
 gridtrace ~/a.scene ~/a.grid --pixel 1,1 -o -                            > --output: list of rays
@@ -154,8 +149,7 @@ gridstat ~/a.grid --cells ~/new.csv [--expanded|--wireframe]             > @
 gridstat ~/a.grid --slice z=0                                            > --slice
 gridstat ~/a.grid -o ~/new.png
 gridstat ~/a.grid --slice z=0 -o [new.jpg|new.pfm|new|new.PNG|-]         > @
-gridstat ~/a.grid --csv [--histogram|--json]
-gridstat ~/a.grid [--occupancy ~/a.scene|--divisions 4]
+gridstat ~/a.grid [--csv --histogram|--csv --json|--occupancy ~/a.scene|--divisions 4]
 gridstat --occupancy ~/a.scene --divisions [0|4,100000]                  > --divisions
 )"};
 

@@ -13,10 +13,16 @@
 namespace masu {
 namespace {
 
-// A part of rows of records, of some numbers each; (x, y) from the rows' first.
+// Of a picture.
+struct Window {
+  std::size_t x, y, width, height;
+};
+
+// A part of rows of records, of some numbers each.
 template <class Number>
 std::vector<Number> part(const std::vector<Number>& rows, std::size_t row_records, std::size_t numbers,
-                         std::size_t x, std::size_t y, std::size_t width, std::size_t height) {
+                         const Window& window) {
+  const auto& [x, y, width, height] = window;
   std::vector<Number> some;
   for (std::size_t row = y; row < y + height; ++row) {
     const auto run = std::span(rows).subspan((row * row_records + x) * numbers, width * numbers);
@@ -27,9 +33,7 @@ std::vector<Number> part(const std::vector<Number>& rows, std::size_t row_record
 
 class Views : public SmallSceneTest {
 protected:
-  ToolResult try_render(const Arguments& more, const Surroundings& surroundings = {}) const {
-    return run("gridrender", on_cpu(more), surroundings);
-  }
+  ToolResult try_render(const Arguments& more) const { return run("gridrender", on_cpu(more)); }
   testing::AssertionResult refused(int code, const Arguments& more, const std::string& place,
                                    const std::string& says = "") const {
     return fails(code, "gridrender", on_cpu(more), place, says);
@@ -37,6 +41,32 @@ protected:
   std::string list(const std::string& lines) const {
     write_text(file("list"), lines);
     return file("list");
+  }
+
+  // A picture in both formats, and its hits.
+  struct Made {
+    DecodedPng png;
+    std::vector<float> floats;
+    Bytes hits;
+  };
+  Made made(const std::string& name, const Arguments& options, std::size_t width, std::size_t height) const {
+    for (const char* const ending : {".png", ".pfm"})
+      render(joined({"-o", file(name + ending), "--hits", file("hits")}, options));
+    return {decoded_png(file(name + ".png")), decoded_pfm(file(name + ".pfm"), width, height),
+            read_bytes(file("hits"))};
+  }
+  // A crop is the same bits as in the whole picture. `more`: rays than pixels in a row, and in a column.
+  void expect_part(const Made& whole, const Window& window, std::size_t more, Arguments options) const {
+    const auto& [x, y, width, height] = window;
+    options.insert(options.end(), {"--crop", fmt::format("{},{},{},{}", x, y, width, height)});
+    SCOPED_TRACE(options.back());
+    const Made crop = made("crop", options, width, height);
+    EXPECT_EQ(crop.png.width, width);
+    EXPECT_EQ(crop.png.height, height);
+    EXPECT_TRUE(crop.png.rgb == part(whole.png.rgb, whole.png.width, 3, window));
+    EXPECT_TRUE(crop.floats == part(whole.floats, whole.png.width, 3, window));
+    EXPECT_TRUE(crop.hits ==
+                part(whole.hits, whole.png.width + more, 8, {x, y, width + more, height + more}));
   }
 };
 
@@ -48,16 +78,16 @@ TEST_F(Views, OptionsReplaceTheScenesCamera) {
   text.replace(text.find("at 0 0 0.5"), 10, "at 0.25 -0 1");
   text.replace(text.find("up 0 0 1"), 8, "up 1 0 0");
   text.replace(text.find("angle 45"), 8, "angle 60");
-  const std::string moved = scene("b.scene", nff("b.nff", text));
-  expect_run("gridrender",
-             {moved, "--brute-force", "--backend", "cpu", "-o", file("b.pfm"), "--hits", file("b.hits")});
-  render({"-o", file("a.pfm"), "--hits", file("a.hits"), "--from", "1.5,4,3", "--at", "0.25,-0,1", "--up",
-          "1,0,0", "--angle", "60"});
+  scene("b.scene", nff("b.nff", text));
+  // What is left out stays the scene's.
+  expect_runs(R"(
+gridrender ~/b.scene --brute-force --backend cpu -o ~/b.pfm --hits ~/b.hits
+gridrender ~/a.scene ~/a.grid --backend cpu -o ~/a.pfm --hits ~/a.hits --from 1.5,4,3 --at 0.25,-0,1 --up 1,0,0 --angle 60
+gridrender ~/a.scene ~/a.grid --backend cpu -o ~/c.pfm
+gridrender ~/a.scene ~/a.grid --backend cpu -o ~/d.pfm --from 3,-4,2 --angle 45
+)");
   EXPECT_TRUE(read_bytes(file("a.pfm")) == read_bytes(file("b.pfm")));
   EXPECT_TRUE(read_bytes(file("a.hits")) == read_bytes(file("b.hits")));
-  // What is left out stays the scene's.
-  render({"-o", file("c.pfm")});
-  render({"-o", file("d.pfm"), "--from", "3,-4,2", "--angle", "45"});
   EXPECT_TRUE(read_bytes(file("c.pfm")) == read_bytes(file("d.pfm")));
 }
 
@@ -67,30 +97,12 @@ TEST_F(Views, ACropIsTheSameBitsAsInTheWhole) {
   auto random = seed_.engine();
   constexpr std::size_t width = 61, height = 47;
   for (const bool corners : {true, false}) {
-    const std::size_t more = corners ? 1 : 0;
-    const Arguments common{"--size", fmt::format("{}x{}", width, height), "--sampling",
-                           corners ? "corners" : "centers"};
-    const auto made = [&](const char* picture, const Arguments& crop) {
-      render(joined(joined({"-o", file(picture), "--hits", file("hits")}, common), crop));
-    };
-    made("whole.png", {});
-    made("whole.pfm", {});
-    const Bytes hits = read_bytes(file("hits"));
-    const std::vector<float> floats = decoded_pfm(file("whole.pfm"), width, height);
-    const DecodedPng whole = decoded_png(file("whole.png"));
+    const Arguments common{"--size", "61x47", "--sampling", corners ? "corners" : "centers"};
+    const Made whole = made("whole", common, width, height);
     for (int i = 0; i < 12; ++i) {
       const std::size_t x = random() % width, y = random() % height, w = 1 + random() % (width - x),
                         h = 1 + random() % (height - y);
-      const std::string crop = fmt::format("{},{},{},{}", x, y, w, h);
-      SCOPED_TRACE(crop);
-      made("crop.png", {"--crop", crop});
-      made("crop.pfm", {"--crop", crop});
-      const DecodedPng cropped = decoded_png(file("crop.png"));
-      EXPECT_EQ(cropped.width, w);
-      EXPECT_EQ(cropped.height, h);
-      EXPECT_TRUE(cropped.rgb == part(whole.rgb, width, 3, x, y, w, h));
-      EXPECT_TRUE(decoded_pfm(file("crop.pfm"), w, h) == part(floats, width, 3, x, y, w, h));
-      EXPECT_TRUE(read_bytes(file("hits")) == part(hits, width + more, 8, x, y, w + more, h + more));
+      expect_part(whole, {x, y, w, h}, corners ? 1 : 0, common);
     }
   }
 }
@@ -98,46 +110,43 @@ TEST_F(Views, ACropIsTheSameBitsAsInTheWhole) {
 // --- Many views -------------------------------------------------------------------------------------------
 
 TEST_F(Views, AListsPicturesAreThoseOfSingleRuns) {
-  const std::string views =
-      list("{\"name\": \"front\"}\n"
-           "\n"
-           "{\"name\": \"ä b\", \"from\": [0, -5, 1], \"angle\": 30, \"size\": [9, 7]}\n"
-           "{\"at\": [0.5, 0, 0.5], \"up\": [0, 1, 1]}\r\n");
-  for (const char* const ending : {"png", "pfm"}) {
-    render({"--views", views, "-o", file(fmt::format("v-{{name}}.{}", ending)), "--hits",
-            file("v-{index}.hits"), "--size", "20x10"});
+  list("{\"name\": \"front\"}\n"
+       "\n"
+       "{\"name\": \"ä b\", \"from\": [0, -5, 1], \"angle\": 30, \"size\": [9, 7]}\n"
+       "{\"at\": [0.5, 0, 0.5], \"up\": [0, 1, 1]}\r\n");
+  for (const std::string ending : {"png", "pfm"}) {
+    render(words("--views ~/list --hits ~/v-{index}.hits --size 20x10 -o ~/v-{name}." + ending));
     const std::vector<std::pair<std::string, Arguments>> singles{
         {"front", {}},
         {"ä b", {"--from", "0,-5,1", "--angle", "30", "--size", "9x7"}},
         {"2", {"--at", "0.5,0,0.5", "--up", "0,1,1"}}};
     for (std::size_t i = 0; i < singles.size(); ++i) {
       const auto& [name, camera] = singles[i];
-      const std::string single = file(fmt::format("single.{}", ending));
+      const std::string single = file("single." + ending);
       const Arguments size = i == 1 ? Arguments{} : Arguments{"--size", "20x10"};
       render(joined(joined({"-o", single, "--hits", file("single.hits")}, size), camera));
-      EXPECT_TRUE(read_bytes(single) == read_bytes(file(fmt::format("v-{}.{}", name, ending)))) << name;
+      EXPECT_TRUE(read_bytes(single) == read_bytes(file("v-" + name + "." + ending))) << name;
       EXPECT_TRUE(read_bytes(file("single.hits")) == read_bytes(file(fmt::format("v-{}.hits", i)))) << name;
     }
   }
 }
 
 TEST_F(Views, AListMayComeFromStandardInput) {
-  const std::string views = list("{\"angle\": 20}\n{\"angle\": 30}");
-  EXPECT_TRUE(succeeded(try_render({"--views", "-", "-o", file("{index}.png")}, {views, {}, {}})));
+  expect_run("gridrender", on_cpu({"--views", "-", "-o", file("{index}.png")}),
+             {.input = list("{\"angle\": 20}\n{\"angle\": 30}")});
   render({"-o", file("single.png"), "--angle", "30"});
   EXPECT_TRUE(read_bytes(file("single.png")) == read_bytes(file("1.png")));
 }
 
 TEST_F(Views, FilesAreIndependentOfTheNumberOfThreads) {
+  const Arguments options =
+      words("--backend cpu --turntable 12 --size 40x30 -o ~/{index}.png --hits ~/{index}.hits");
   const auto rendered = [&](const char* threads, const std::string& structure) {
-    expect_run("gridrender",
-               {scene_, structure, "--backend", "cpu", "--turntable", "12", "--size", "40x30", "-o",
-                file("{index}.png"), "--hits", file("{index}.hits"), "--threads", threads});
+    expect_run("gridrender", joined({scene_, structure, "--threads", threads}, options));
     std::vector<Bytes> all;
-    for (int i = 0; i < 12; ++i) {
-      all.push_back(read_bytes(file(fmt::format("{:02}.png", i))));
-      all.push_back(read_bytes(file(fmt::format("{:02}.hits", i))));
-    }
+    for (int i = 0; i < 12; ++i)
+      for (const char* const ending : {"png", "hits"})
+        all.push_back(read_bytes(file(fmt::format("{:02}.{}", i, ending))));
     return all;
   };
   const auto one = rendered("1", grid_);
@@ -230,37 +239,25 @@ TEST_F(Views, BandsOfLargePicturesAreTheSameBitsAsThePictureUndivided) {
   constexpr std::size_t width = 1333, height = 2500, band = 1048;
   for (const bool corners : {true, false}) {
     const std::size_t more = corners ? 1 : 0;
-    const Arguments common{"--size", "1333x2500",  "--depth",
-                           "1",      "--sampling", corners ? "corners" : "centers"};
-    const auto made = [&](const char* picture, const Arguments& options) {
-      return stats_of(joined(joined({"-o", file(picture), "--hits", file("hits")}, common), options));
-    };
-    made("whole.png", {});
-    const auto stats = made("whole.pfm", {});
+    const Arguments common = words(std::string("--size 1333x2500 --depth 1 --stats ~/stats --sampling ") +
+                                   (corners ? "corners" : "centers"));
+    const Made whole = made("whole", common, width, height);
+    const auto stats = json_in("stats");
     EXPECT_EQ(stats["eye_rays"], (width + more) * (height + more));
-    const Bytes hits = read_bytes(file("hits"));
-    const std::vector<float> floats = decoded_pfm(file("whole.pfm"), width, height);
-    ASSERT_EQ(hits.size(), 8 * (width + more) * (height + more));
+    ASSERT_EQ(whole.hits.size(), 8 * (width + more) * (height + more));
     std::size_t met = 0;
-    for (std::size_t i = 0; i < hits.size(); i += 8) {
+    for (std::size_t i = 0; i < whole.hits.size(); i += 8) {
       std::int32_t name = 0;
-      std::memcpy(&name, hits.data() + i + 4, 4);
+      std::memcpy(&name, whole.hits.data() + i + 4, 4);
       met += name >= 0 ? 1 : 0;
     }
     EXPECT_EQ(stats["eye_hits"], met);
-    const DecodedPng whole = decoded_png(file("whole.png"));
-    for (const std::size_t y : {std::size_t{0}, band - 20, 2 * band - 20, height - 40}) {
-      const std::string crop = fmt::format("0,{},{},40", y, width);
-      made("crop.png", {"--crop", crop});
-      made("crop.pfm", {"--crop", crop});
-      EXPECT_TRUE(decoded_png(file("crop.png")).rgb == part(whole.rgb, width, 3, 0, y, width, 40));
-      EXPECT_TRUE(decoded_pfm(file("crop.pfm"), width, 40) == part(floats, width, 3, 0, y, width, 40));
-      EXPECT_TRUE(read_bytes(file("hits")) == part(hits, width + more, 8, 0, y, width + more, 40 + more));
-    }
+    for (const std::size_t y : {std::size_t{0}, band - 20, 2 * band - 20, height - 40})
+      expect_part(whole, {0, y, width, 40}, more, common);
     // To a pipe, in order.
     for (const char* const format : {"png", "pfm"}) {
-      EXPECT_TRUE(succeeded(
-          try_render(joined({"-o", "-", "--format", format}, common), {"/dev/null", file("piped"), {}})));
+      expect_run("gridrender", on_cpu(joined({"-o", "-", "--format", format}, common)),
+                 {.output = file("piped")});
       EXPECT_TRUE(read_bytes(file("piped")) == read_bytes(file(fmt::format("whole.{}", format)))) << format;
     }
   }

@@ -87,15 +87,9 @@ class Gridview:
         with urllib.request.urlopen(request, timeout=300) as response:  # for what hangs: other tests run, too
             return response.read()
 
-    def memory(self):
-        """Resident bytes."""
-        return self.kilobytes("VmRSS") * 1024
-
-    def peak_memory(self):
-        return self.kilobytes("VmHWM") * 1024
-
-    def kilobytes(self, name):
-        return int(re.search(rf"{name}:\s+(\d+)", pathlib.Path(f"/proc/{self.process.pid}/status").read_text())[1])
+    def memory(self, kind="VmRSS"):
+        """Resident bytes; the most that there were is VmHWM."""
+        return 1024 * int(re.search(rf"{kind}:\s+(\d+)", pathlib.Path(f"/proc/{self.process.pid}/status").read_text())[1])
 
     def threads(self):
         return len(os.listdir(f"/proc/{self.process.pid}/task"))

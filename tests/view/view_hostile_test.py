@@ -2,18 +2,18 @@
 
 view_hostile_test.py BIN_FOLDER
 """
+import concurrent.futures
 import contextlib
 import http.client
 import json
 import os
-import pathlib
 import random
 import select
 import signal
 import socket
+import subprocess
 import sys
 import threading
-import time
 import unittest
 
 from gridview_run import Gridview, Tools, wait_until
@@ -48,17 +48,33 @@ def reply_to(server, request, close=False):
             return b""
 
 
-def status_of(server, target, method="GET", **headers):
+def response_of(server, target, method="GET", **headers):
+    """Its status and headers."""
     connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=60)
-    try:
+    with contextlib.closing(connection):
         connection.putrequest(method, target, skip_host="Host" in headers, skip_accept_encoding=True)
         for name, value in headers.items():
-            for one in value if isinstance(value, list) else [value]:
-                connection.putheader(name.replace("_", "-"), one)
+            connection.putheader(name.replace("_", "-"), value)
         connection.endheaders()
-        return connection.getresponse().status
-    finally:
-        connection.close()
+        return connection.getresponse()
+
+
+def status_of(*request, **headers):
+    return response_of(*request, **headers).status
+
+
+def get(path):
+    return f"GET {path} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
+
+
+def query(parameters):
+    return "&".join(f"{name}={value}" for name, value in parameters.items())
+
+
+def at_once(function, arguments):
+    """What a function returns for each argument, with a thread for each."""
+    with concurrent.futures.ThreadPoolExecutor(len(arguments)) as pool:
+        return list(pool.map(function, arguments))
 
 
 class Hostile(unittest.TestCase):
@@ -151,17 +167,22 @@ class Hostile(unittest.TestCase):
 
     def test_headers_forbid_framing_and_foreign_content(self):
         for path in ["/", "/page.js", "/api/scene", SMALL, "/nothing"]:
-            connection = http.client.HTTPConnection("127.0.0.1", self.server.port, timeout=60)
-            connection.request("GET", path)
-            headers = connection.getresponse().headers
-            connection.close()
-            self.assertEqual(headers["X-Frame-Options"], "DENY", path)
-            self.assertEqual(headers["Cross-Origin-Resource-Policy"], "same-origin", path)
-            self.assertEqual(headers["X-Content-Type-Options"], "nosniff", path)
-            self.assertIn("default-src 'none'", headers["Content-Security-Policy"], path)
-            self.assertIn("frame-ancestors 'none'", headers["Content-Security-Policy"], path)
+            headers = response_of(self.server, path).headers
+            for name, wanted in [("X-Frame-Options", "DENY"), ("Cross-Origin-Resource-Policy", "same-origin"),
+                                 ("X-Content-Type-Options", "nosniff"), ("Access-Control-Allow-Origin", None)]:
+                self.assertEqual(headers[name], wanted, (path, name))
+            for wanted in ["default-src 'none'", "frame-ancestors 'none'"]:
+                self.assertIn(wanted, headers["Content-Security-Policy"], path)
             self.assertNotIn("unsafe", headers["Content-Security-Policy"], path)
-            self.assertIsNone(headers["Access-Control-Allow-Origin"], path)
+
+    def assert_refuses(self, path, good, bad):
+        """Each bad value in place of the good one, and that none is given."""
+        self.assertEqual(status_of(self.server, path + query(good)), 200, path)
+        for name, values in bad.items():
+            for value in values:
+                self.assertEqual(status_of(self.server, path + query({**good, name: value})), 400, (name, value))
+        for name in good:
+            self.assertEqual(status_of(self.server, path + query({k: v for k, v in good.items() if k != name})), 400, name)
 
     def test_bad_parameters_are_refused(self):
         good = dict(grid="0", at="0,0,0", up="0,0,1", angle="45", depth="5", channel="shaded", quality="still", width="16", height="16")
@@ -171,13 +192,7 @@ class Hostile(unittest.TestCase):
                    channel=["", "shade", "../x", "cut"], quality=["", "best"], width=["0", "-1", "8193", "4294967296", "1e9"], height=["0", "65536"],
                    crop=["0,0,17,1", "-1,0,1,1", "0,0,0,0", "1,1,1", "0,0,2147483647,2147483647"], other=["1"])
         bad["from"] = ["0,0,0", "inf,0,0"]
-        query = lambda parameters: "&".join(f"{name}={value}" for name, value in parameters.items())
-        self.assertEqual(status_of(self.server, "/api/picture?" + query(good)), 200)
-        for name, values in bad.items():
-            for value in values:
-                self.assertEqual(status_of(self.server, "/api/picture?" + query({**good, name: value})), 400, (name, value))
-        for name in good:
-            self.assertEqual(status_of(self.server, "/api/picture?" + query({k: v for k, v in good.items() if k != name})), 400, name)
+        self.assert_refuses("/api/picture?", good, bad)
         self.assertEqual(status_of(self.server, "/api/picture?" + query({**good, "width": "8192", "height": "8192"})), 400)
         self.assertEqual(status_of(self.server, "/api/picture?" + query(good) + "&grid=1"), 400, "given twice")
         cut = {**good, "channel": "cut", "axis": "0", "share": "0.5"}
@@ -193,12 +208,7 @@ class Hostile(unittest.TestCase):
         for path, good, bad in [("/api/ray?", picked, dict(x=["16", "-1", "0.5", ""], y=["16"], width=["15"], up=["0,0,0"], grid=["0"])),
                                 ("/api/walk?", ray, dict(grid=["11"], origin=["0,0", "nan,0,0", "1e300,0,0"], depth=["0", "33"], all=["2", ""], x=["0"],
                                                          direction=["0,0,0", "0,0,inf", "1e-300,0,0", "1e30,0,0"]))]:
-            self.assertEqual(status_of(self.server, path + query(good)), 200, path)
-            for name in good:
-                self.assertEqual(status_of(self.server, path + query({k: v for k, v in good.items() if k != name})), 400, name)
-            for name, values in bad.items():
-                for value in values:
-                    self.assertEqual(status_of(self.server, path + query({**good, name: value})), 400, (name, value))
+            self.assert_refuses(path, good, bad)
 
     def test_slow_clients_give_way(self):
         before, threads, files = self.server.memory(), self.server.threads(), self.server.files()
@@ -233,27 +243,17 @@ class Hostile(unittest.TestCase):
 
     def test_thousands_at_once(self):
         before, files = self.server.memory(), self.server.files()
-        request = f"GET {SMALL} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
-        replies, lock = [], threading.Lock()
 
-        def flood(count):
-            for _ in range(count):
-                try:
-                    with socket.create_connection(("127.0.0.1", self.server.port), timeout=30) as connection:
-                        connection.sendall(request)
-                        begin = connection.recv(12)
-                except OSError:
-                    begin = b""
-                with lock:
-                    replies.append(begin)
+        def has_picture():
+            try:
+                with socket.create_connection(("127.0.0.1", self.server.port), timeout=30) as connection:
+                    connection.sendall(get(SMALL))
+                    return connection.recv(12).startswith(b"HTTP/1.1 200")
+            except OSError:
+                return False
 
-        crowd = [threading.Thread(target=flood, args=(20,)) for _ in range(150)]
-        for thread in crowd:
-            thread.start()
-        for thread in crowd:
-            thread.join()
-        good = sum(reply.startswith(b"HTTP/1.1 200") for reply in replies)
-        print(f"{good} of {len(replies)} requests, 150 at once, had a picture; the others were refused")
+        good = sum(at_once(lambda count: sum(has_picture() for _ in range(count)), [20] * 150))
+        print(f"{good} of 3000 requests, 150 at once, had a picture; the others were refused")
         self.assertGreater(good, 0)
         self.assert_bounded(before)
         wait_until(lambda: self.server.files() <= files + 2, "connections end")
@@ -261,11 +261,9 @@ class Hostile(unittest.TestCase):
 
     def test_clients_that_hang_up_cost_nothing(self):
         before = self.server.memory()
-        request = f"GET {PICTURE.format(2800, 2800)} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
         for _ in range(60):
-            connection = connect(self.server)
-            connection.sendall(request)
-            connection.close()
+            with connect(self.server) as connection:
+                connection.sendall(get(PICTURE.format(2800, 2800)))
         self.assert_serves()
         wait_until(lambda: self.server.is_idle(), "pictures that nobody wants are given up")
         self.assert_bounded(before, 600e6)
@@ -284,7 +282,7 @@ class Hostile(unittest.TestCase):
             # Pictures, slices and figures are answered while walks are made.
             walkers = [connect(server) for _ in range(12)]
             for walker in walkers:
-                walker.sendall(f"GET {walk} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
+                walker.sendall(get(walk))
             for path in [SMALL, "/api/slice?grid=0&axis=0&share=0.5", "/api/boxes?grid=0", "/api/statistics?grid=0", "/", SMALL.replace("picture", "counts")]:
                 server.get(path)
             self.assertLess(len(select.select(walkers, [], [], 0)[0]), len(walkers), "all walks came first")
@@ -292,47 +290,33 @@ class Hostile(unittest.TestCase):
                 walker.close()
             server.get(SMALL)
             wait_until(lambda: server.is_idle(), "walks that nobody wants are given up")
-            self.assertLess(server.peak_memory() - before, 200e6)
+            self.assertLess(server.memory("VmHWM") - before, 200e6)
 
     def test_divisions_that_many_ask_for_at_once_are_built_once(self):
         with Gridview(tools, *scene, "-q") as server:
-            request = "GET /api/statistics?grid={} HTTP/1.1\r\nHost: localhost\r\n\r\n"
             for _ in range(8):  # nobody waits for these
-                gone = connect(server)
-                gone.sendall(request.format(10).encode())
-                gone.close()
-            made = []
-
-            def ask(grid):
-                made.append((grid, json.loads(server.get(f"/api/statistics?grid={grid}"))))
-            threads = [threading.Thread(target=ask, args=[grid]) for grid in [*range(2, 11)] * 3]
-            for thread in threads:
-                thread.start()
-            for thread in threads:
-                thread.join()
+                with connect(server) as gone:
+                    gone.sendall(get("/api/statistics?grid=10"))
+            grids = [*range(2, 11)] * 3
+            made = at_once(lambda grid: json.loads(server.get(f"/api/statistics?grid={grid}")), grids)
             divisions = json.loads(server.get("/api/scene"))["divisions"]
-            for grid, one in made:
-                self.assertEqual(one["division"], [divisions[grid - 2]] * 3)
-            self.assertEqual(len({json.dumps(one) for _, one in made}), len(divisions), "each is built once: it says the same time")
+            self.assertEqual([one["division"] for one in made], [[divisions[grid - 2]] * 3 for grid in grids])
+            self.assertEqual(len({json.dumps(one) for one in made}), len(divisions), "each is built once: it says the same time")
             wait_until(lambda: server.is_idle(), "all is done")
-            self.assertLess(server.peak_memory(), 1e9)
+            self.assertLess(server.memory("VmHWM"), 1e9)
 
     def test_clients_that_do_not_read_do_not_block(self):
-        request = f"GET {PICTURE.format(700, 700)} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
-        deaf = []
-        for _ in range(8):
-            connection = socket.socket()
-            connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-            connection.connect(("127.0.0.1", self.server.port))
-            connection.sendall(request)
-            deaf.append(connection)
-        self.assert_serves()
-        for connection in deaf:
-            connection.close()
+        with contextlib.ExitStack() as deaf:
+            for _ in range(8):
+                connection = deaf.enter_context(socket.socket())
+                connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+                connection.connect(("127.0.0.1", self.server.port))
+                connection.sendall(get(PICTURE.format(700, 700)))
+            self.assert_serves()
 
     def test_requests_one_after_another_on_a_connection(self):
         with connect(self.server) as connection:
-            connection.sendall(b"GET /page.css HTTP/1.1\r\nHost: localhost\r\n\r\n" * 3)
+            connection.sendall(get("/page.css") * 3)
             reply = b""
             while reply.count(b"HTTP/1.1 200 OK") < 3:
                 chunk = connection.recv(65536)
@@ -343,7 +327,7 @@ class Hostile(unittest.TestCase):
         for number in [signal.SIGTERM, signal.SIGINT]:
             with Gridview(tools, *scene, "-q") as server, connect(server) as idle, connect(server) as busy:
                 idle.sendall(b"GET / HT")
-                busy.sendall(f"GET {PICTURE.format(2800, 2800)} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
+                busy.sendall(get(PICTURE.format(2800, 2800)))
                 wait_until(lambda: server.cpu_seconds() > 0.3, "it traces")
                 server.process.send_signal(number)
                 self.assertEqual(server.process.wait(30), 0)
@@ -356,47 +340,33 @@ class Hostile(unittest.TestCase):
             name = f"masu_{server.port}"
             for cookie in ["", f"{name}=", f"{name}={token[:-1]}", f"{name}={token}0", f"x{name}={token}", f"masu={token}"]:
                 self.assertEqual(status_of(server, "/api/scene", Cookie=cookie), 401, cookie)
-            connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=60)
-            connection.request("GET", "/?token=" + token)
-            reply = connection.getresponse()
+            reply = response_of(server, "/?token=" + token)
             self.assertEqual((reply.status, reply.headers["Location"]), (303, "/"))
             self.assertEqual(reply.headers["Set-Cookie"], f"{name}={token}; HttpOnly; SameSite=Strict; Path=/")
-            reply.read()
-            connection.request("GET", "/api/scene", headers={"Cookie": f"a=b; {name}={token}; c=d"})
-            self.assertEqual(json.loads(connection.getresponse().read())["scene"]["name"], scene[0])
-            connection.close()
+            shown = json.loads(server.get("/api/scene", Cookie=f"a=b; {name}={token}; c=d"))
+            self.assertEqual(shown["scene"]["name"], scene[0])
 
     def test_a_port_that_is_taken_is_an_error(self):
-        import subprocess
         ended = subprocess.run([tools.bin / "gridview", *scene, "--port", str(self.server.port), "-q"], cwd=tools.folder, capture_output=True, text=True)
         self.assertEqual(ended.returncode, 1)
         self.assertEqual(len(ended.stderr.strip().splitlines()), 1)
         self.assertIn(f"port {self.server.port}", ended.stderr)
 
     def test_it_says_that_the_usual_port_is_taken(self):
-        import subprocess
-        try:
-            taken = socket.create_server(("127.0.0.1", 8765))
-        except OSError:
-            taken = None  # by another one
-        server = subprocess.Popen([tools.bin / "gridview", *scene], cwd=tools.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        try:
+        def serve(**options):
+            server = owned.enter_context(subprocess.Popen([tools.bin / "gridview", *scene], cwd=tools.folder, stdout=subprocess.PIPE, text=True, **options))
+            owned.callback(server.terminate)
             self.assertNotIn(":8765/", server.stdout.readline())
-            self.assertIn("port 8765 is taken", server.stderr.readline())
-        finally:
-            server.terminate()
-            server.communicate()
-            if taken:
-                taken.close()
-        # In colour where a person looks.
+            return server
+
         other, terminal = os.openpty()
-        with socket.create_server(("127.0.0.1", 8765)) if taken else contextlib.nullcontext():
-            server = subprocess.Popen([tools.bin / "gridview", *scene], cwd=tools.folder, stdout=subprocess.PIPE, stderr=terminal, text=True,
-                                      env={name: value for name, value in os.environ.items() if name != "NO_COLOR"})
-            server.stdout.readline()
+        with contextlib.ExitStack() as owned:
+            with contextlib.suppress(OSError):  # another one has taken it
+                owned.enter_context(socket.create_server(("127.0.0.1", 8765)))
+            self.assertIn("port 8765 is taken", serve(stderr=subprocess.PIPE).stderr.readline())
+            # In colour where a person looks.
+            serve(stderr=terminal, env={name: value for name, value in os.environ.items() if name != "NO_COLOR"})
             self.assertRegex(os.read(other, 4096), rb"\033\[1;33mgridview: port 8765 is taken")
-            server.terminate()
-            server.communicate()
         os.close(other)
         os.close(terminal)
 

@@ -2,6 +2,7 @@
 
 view_test.py BIN_FOLDER [SCREENSHOT_FOLDER]
 """
+import contextlib
 import json
 import math
 import os
@@ -27,6 +28,7 @@ try:
     from selenium.webdriver.common.actions import interaction
     from selenium.webdriver.common.actions.action_builder import ActionBuilder
     from selenium.webdriver.common.actions.pointer_input import PointerInput
+    from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
 except ImportError:
@@ -38,6 +40,8 @@ if not CHROMIUM or not DRIVER:
 
 tools = None
 scene = None
+hierarchy = None
+structures = None
 pictures = None
 
 
@@ -85,6 +89,19 @@ def counted(count, what):
     return f"{count} {what}{'' if count == 1 else 's'}"
 
 
+def without(one, *names):
+    return {key: value for key, value in one.items() if key not in names}
+
+
+def what_of(grid):
+    return "node" if grid.endswith("_bvh.grid") else "cell"
+
+
+def counts_of(printed, what):
+    """Of a walk that gridtrace printed."""
+    return f"{counted(printed['cells'], what)}, {counted(printed['tests'], 'test')}"
+
+
 def channel_of(color):
     """Relative luminance's part of a channel (WCAG)."""
     value = color / 255
@@ -109,28 +126,45 @@ class Page(unittest.TestCase):
         cls.server.__exit__()
 
     def setUp(self):
+        self.address = f"http://127.0.0.1:{self.server.port}/"
         self.show()
         self.logs()
 
     def tearDown(self):
-        self.assert_quiet()
+        for url in self.requests():
+            self.assertTrue(url.startswith((self.address, "data:", "blob:", "about:")), url)
 
     # --- What tests do ---
 
     def show(self, width=860, height=420, dark=False, fragment="", server=None):
         resize(self.browser, width, height)
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
-        load(self.browser, (server or self.server).address + fragment)
-        self.wait_sharp()
+        self.open((server or self.server).address + fragment)
 
     def js(self, script, *arguments):
         return self.browser.execute_script(script, *arguments)
+
+    def change(self, script, *arguments):
+        self.js(script, *arguments)
+        self.wait_sharp()
+
+    def open(self, address, wait=None):
+        load(self.browser, address)
+        (wait or self.wait_sharp)()
 
     def wait_sharp(self):
         wait_until(lambda: self.js("return panes.length > 0 && panes.every((pane) => pane.root.dataset.state === 'sharp' && "
                                    "pane.frame.isSharp && Camera.same(pane.frame.view.camera, pane.camera(pane.frame.view.width, pane.frame.view.height)) && "
                                    "pane.frame.view.channel === pane.settings.channel && pane.frame.view.grid === pane.settings.grid)"),
                    "every picture is sharp", 120)
+        self.take_picture()
+
+    @contextlib.contextmanager
+    def serving(self, *files, **options):
+        """gridview with other files; afterwards its page is left."""
+        with Gridview(tools, *files, "-q", **options) as server:
+            yield server
+            self.leave()
 
     def logs(self):
         return [json.loads(entry["message"])["message"] for entry in self.browser.get_log("performance")], self.browser.get_log("browser")
@@ -140,20 +174,44 @@ class Page(unittest.TestCase):
         self.browser.get("about:blank")
         self.logs()
 
-    def assert_quiet(self, address=None):
-        """No message on the console, and no request but to the page's own address."""
-        address = address or f"http://127.0.0.1:{self.server.port}/"
+    def open_file(self, path):
+        """The address of a page, which is the only one that may be asked for from now on."""
+        self.leave()
+        self.address = path.as_uri()
+        return self.address
+
+    def export(self, name, *words):
+        """The address of the page that gridview writes."""
+        tools.run("gridview", *words, "--export", name, "-q")
+        return self.open_file(tools.folder / name)
+
+    def requests(self):
+        """Addresses that were asked for since the last look; there is no message on the console."""
         events, console = self.logs()
         self.assertEqual([entry["message"] for entry in console], [])
-        for event in events:
-            if event["method"] == "Network.requestWillBeSent":
-                url = event["params"]["request"]["url"]
-                self.assertTrue(url.startswith((address, "data:", "blob:", "about:")), url)
+        return [event["params"]["request"]["url"] for event in events if event["method"] == "Network.requestWillBeSent"]
 
     def chance(self):
         seed = int(os.environ.get("MASU_TEST_SEED", time.time_ns() % 10**9))
         print(f"seed {seed}", end=" ", file=sys.stderr, flush=True)
         return random.Random(seed)
+
+    def assert_statistics(self, server, index, grid, *but):
+        """They are those of gridstat, which may be of another build."""
+        printed = json.loads(tools.run("gridstat", grid, "--json", "--histogram"))
+        served = json.loads(server.get(f"/api/statistics?grid={index}"))
+        self.assertEqual(without(served, "commit", *but), without(printed, "commit", *but))
+
+    def assert_values(self, picture, pane=0):
+        """Those of a picture are in a file that gridrender wrote; the canvas has its size."""
+        width, height, rows = read_pfm(tools.folder / picture)
+        self.assertEqual(self.pixels(pane)[:2], [width, height])
+        values = self.js("return Array.from(panes[arguments[0]].picture.values.data, (value) => Number.isFinite(value) ? value : 1e38)", pane)
+        self.assertEqual(values, [min(value, 1e38) for row in rows for value in row])
+
+    def assert_near(self, numbers, wanted, delta=None):
+        for number, one in zip(numbers, wanted):
+            self.assertAlmostEqual(number, one, delta=delta)
 
     def assert_fits(self, width):
         """Nothing sticks out of the page."""
@@ -162,21 +220,22 @@ class Page(unittest.TestCase):
                        "!e.closest('.scroll') && e.getClientRects().length > 0).map((e) => e.outerHTML.slice(0, 80))")
         self.assertEqual(wide, [], width)
 
-    def screenshot(self, name):
+    def take_picture(self):
+        """Wherever the page has come to rest."""
         if pictures:
-            self.browser.save_screenshot(str(pictures / f"{name}.png"))
+            self.browser.save_screenshot(str(pictures / f"{len(os.listdir(pictures)):03}-{self.id()}.png"))
 
     def find(self, selector):
         return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def find_all(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
 
     def select(self, selector, value):
         self.js("const s = document.querySelector(arguments[0]); s.value = arguments[1]; s.dispatchEvent(new Event('change'))", selector, value)
 
     def keys(self, *keys):
-        chain = ActionChains(self.browser)
-        for key in keys:
-            chain.send_keys(key)
-        chain.perform()
+        ActionChains(self.browser).send_keys(*keys).perform()
 
     def pixels(self, pane=0):
         """Bytes of the picture: r, g, b, a."""
@@ -202,7 +261,6 @@ class Page(unittest.TestCase):
                          for y in range(0, height, 7) for x in range(0, width, 5) for c in range(3))
         samples = 3 * len(range(0, height, 7)) * len(range(0, width, 5))
         self.assertLess(difference / samples, 2.5, "mean difference, of 255: JPEG's alone")
-        self.screenshot("loaded")
 
     def test_dragging_orbits_pans_and_the_wheel_zooms(self):
         stage = self.find(".stage")
@@ -220,7 +278,7 @@ class Page(unittest.TestCase):
         self.assertNotEqual(panned["at"], orbited["at"])
         for a, b, c, d in zip(panned["from"], panned["at"], orbited["from"], orbited["at"]):
             self.assertAlmostEqual(a - b, c - d)
-        ActionChains(self.browser).scroll_from_origin(webdriver.common.actions.wheel_input.ScrollOrigin.from_element(stage), 0, -300).perform()
+        ActionChains(self.browser).scroll_from_origin(ScrollOrigin.from_element(stage), 0, -300).perform()
         wait_until(lambda: distance(self.camera()) < distance(panned), "it zooms")
         self.wait_sharp()
         wait_until(lambda: "from=" in self.js("return location.hash"), "the address holds the view")
@@ -229,7 +287,7 @@ class Page(unittest.TestCase):
 
     def pick(self, x, y, pane=0):
         """A click so many pixels from the middle of a picture."""
-        stage = self.browser.find_elements(By.CSS_SELECTOR, ".stage")[pane]
+        stage = self.find_all(".stage")[pane]
         self.js("walkPanel.clear()")
         ActionChains(self.browser).move_to_element_with_offset(stage, x, y).click().perform()
         self.wait_walk()
@@ -237,6 +295,7 @@ class Page(unittest.TestCase):
     def wait_walk(self):
         wait_until(lambda: self.js("return walkPanel.drawn === state.panes.map((pane) => pane.grid).join() && "
                                    "panes.every((pane) => !pane.walkCounts.hidden)"), "the ray's walk through each grid")
+        self.take_picture()
 
     def walk(self):
         """What the page shows of the ray in each picture: [{grid, counts, table, boxes}]; boxes as they are drawn."""
@@ -253,19 +312,23 @@ class Page(unittest.TestCase):
         """The rows of the walk that is listed: [[cell, voxels, t in, t out, tests]]."""
         return self.js("return [...document.querySelectorAll('.walk-steps tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))")
 
-    def printed(self, grid, index=0, scene_path=None):
+    def printed(self, grid, index=0):
         """The page's ray as gridtrace walks it through a grid."""
         ray = self.js("return walkPanel.ray")
         numbers = ",".join(map(repr, ray["origin"] + ray["direction"]))
         more = ["--all-rays", "--depth", ray["depth"]] if ray["all"] else []
-        return json.loads(tools.run("gridtrace", scene_path or scene[0], grid, f"--ray={numbers}", *more, "--json", "-q"))["rays"][index]
+        return json.loads(tools.run("gridtrace", scene[0], grid, f"--ray={numbers}", *more, "--json", "-q"))["rays"][index]
 
-    def assert_shows(self, printed, shown, cells_drawn, what="cell"):
-        """The counts of a picture, and the boxes of cells or nodes drawn in it, are those of a walk that gridtrace printed."""
-        self.assertEqual(shown["counts"], f"{counted(printed['cells'], what)}, {counted(printed['tests'], 'test')}")
-        self.assertEqual(shown["table"], [str(printed["cells"]), str(printed["tests"]), str(cost(printed))])
-        if cells_drawn:
-            self.assertEqual(shown["boxes"], [step["box"] for step in printed["steps"]])
+    def assert_shows(self, grids, index=0, cells_drawn=True):
+        """Each picture's counts, and the boxes of cells or nodes drawn in it, are those of the walk that gridtrace prints, which is returned."""
+        walks, shown = [self.printed(grid, index) for grid in grids], self.walk()
+        self.assertEqual([one["grid"] for one in shown], grids)
+        for grid, printed, one in zip(grids, walks, shown):
+            self.assertEqual(one["counts"], counts_of(printed, what_of(grid)))
+            self.assertEqual(one["table"], [str(printed["cells"]), str(printed["tests"]), str(cost(printed))])
+            if cells_drawn:
+                self.assertEqual(one["boxes"], [step["box"] for step in printed["steps"]])
+        return walks
 
     def assert_lists(self, printed):
         voxels = lambda box: " ".join(str(a) if a == b - 1 else f"{a}–{b - 1}" for a, b in zip(box["first"], box["end"]))
@@ -278,8 +341,7 @@ class Page(unittest.TestCase):
     # --- Tests ---
 
     def test_an_address_opens_the_same_view(self):
-        self.js("setCamera(Camera.orbited(state.camera, 0.5, 0.1)); panes[0].set({channel: 'depth', cells: 'slice'}); toggleCompare()")
-        self.wait_sharp()
+        self.change("setCamera(Camera.orbited(state.camera, 0.5, 0.1)); panes[0].set({channel: 'depth', cells: 'slice'}); toggleCompare()")
         fragment, camera = self.js("return fragment()"), self.camera()
         self.show(fragment=fragment)
         self.assertEqual(self.camera(), camera)
@@ -296,7 +358,6 @@ class Page(unittest.TestCase):
             command = [word for word in shlex.split(self.js("return command()")) if word not in ("-o", "picture.png")]
             printed = json.loads(tools.run("gridtrace", *command[1:], "--sampling", "centers", "--pixel", f"{pixel['x']},{pixel['y']}", "--json"))
             self.assertEqual(printed["rays"], walk["rays"])
-        self.screenshot("walk")
         panel = self.js("const r = document.getElementById('walk').getBoundingClientRect(); return [r.left, r.right]")
         for left, right in self.js("return [...document.querySelectorAll('#walk .value')].map((e) => { const r = e.getBoundingClientRect(); return [r.left, r.right]; })"):
             self.assertTrue(panel[0] <= left < right <= panel[1] + 1, "the ray's figures are in their panel")
@@ -307,51 +368,36 @@ class Page(unittest.TestCase):
 
     def test_the_same_ray_is_walked_through_each_grid_in_its_own_picture(self):
         self.show(1280, 640)
-        self.js("toggleCompare(); for (const pane of panes) pane.set({cells: 'ray'})")
-        self.wait_sharp()
+        self.change("toggleCompare(); for (const pane of panes) pane.set({cells: 'ray'})")
         for pane, x, y in [(0, 0, 0), (1, -30, 60), (0, 60, -90)]:
             self.pick(x, y, pane)
-            shown, printed = self.walk(), [self.printed(grid) for grid in scene[1:]]
+            printed = self.assert_shows(scene[1:])
             self.assertNotEqual(printed[0]["steps"], printed[1]["steps"])
-            for i in range(2):
-                self.assertEqual(shown[i]["grid"], scene[1 + i])
-                self.assert_shows(printed[i], shown[i], True)
             self.assert_lists(printed[pane])
             self.select(".walk-pane", 1 - pane)
             self.assert_lists(printed[1 - pane])
-        self.screenshot("compare-walk")
         # The grids change places; the ray stays.
         ray = self.js("return walkPanel.ray")
-        self.js("panes[0].set({grid: 1}); panes[1].set({grid: 0}); setCamera(Camera.orbited(state.camera, 0.4, 0.1))")
-        self.wait_sharp()
+        self.change("panes[0].set({grid: 1}); panes[1].set({grid: 0}); setCamera(Camera.orbited(state.camera, 0.4, 0.1))")
         self.wait_walk()
         self.assertEqual(self.js("return walkPanel.ray"), ray)
-        shown = self.walk()
-        for i in range(2):
-            self.assertEqual(shown[i]["grid"], scene[2 - i])
-            self.assert_shows(printed[1 - i], shown[i], True)
-        self.screenshot("compare-walk-orbited")
+        self.assertEqual(self.assert_shows([scene[2], scene[1]]), printed[::-1])
         # And with the rays that it spawns.
         self.find("#walk-all").click()
         self.wait_walk()
-        rays = len(self.browser.find_elements(By.CSS_SELECTOR, ".walk-ray option"))
+        rays = len(self.find_all(".walk-ray option"))
         self.assertGreater(rays, 3)
         for index in [0, 1, rays - 1]:
             self.select(".walk-ray", index)
-            shown = self.walk()
-            for i in range(2):
-                self.assert_shows(self.printed(scene[2 - i], index), shown[i], True)
-        self.js("toggleCompare()")
-        self.wait_sharp()
+            self.assert_shows([scene[2], scene[1]], index)
+        self.change("toggleCompare()")
         self.wait_walk()
-        self.assert_shows(self.printed(scene[2], rays - 1), self.walk()[0], True)
-        self.assert_lists(self.printed(scene[2], rays - 1))
+        self.assert_lists(*self.assert_shows([scene[2]], rays - 1))
         self.find("#walk-all").click()
 
     def test_a_link_reopens_the_walk_of_the_same_ray_through_its_grid_at_its_step(self):
         self.show(1280, 640)
-        self.js("toggleCompare(); for (const pane of panes) pane.set({cells: 'ray'})")
-        self.wait_sharp()
+        self.change("toggleCompare(); for (const pane of panes) pane.set({cells: 'ray'})")
         self.pick(0, 30, 1)
         self.find("#walk-all").click()
         self.wait_walk()
@@ -362,8 +408,7 @@ class Page(unittest.TestCase):
             self.find("#walk .controls button").click()
         look = "return [walkPanel.ray, walkPanel.pane, walkPanel.index, walkPanel.step, walkPanel.current, document.querySelector('[aria-selected=true]').dataset.step]"
         for camera in ["state.camera", "Camera.orbited(state.camera, 0.7, 0.2)"]:
-            self.js(f"setCamera({camera})")
-            self.wait_sharp()
+            self.change(f"setCamera({camera})")
             before, shown, listed, fragment = self.js(look), self.walk(), self.listed(), self.js("return fragment()")
             self.assertEqual([before[1], before[2], before[3]], [1, index, before[4]["cells"] - 3])
             for width, height in [(860, 420), (1280, 800), (400, 700)]:
@@ -373,9 +418,7 @@ class Page(unittest.TestCase):
                 self.assertEqual(self.walk(), shown)
                 self.assertEqual(self.listed(), listed)
                 self.assertEqual(self.js("return fragment()"), fragment)
-            for i in range(2):
-                self.assert_shows(self.printed(scene[1 + i], index), shown[i], True)
-            self.assert_lists(self.printed(scene[2], index))
+            self.assert_lists(self.assert_shows(scene[1:], index)[1])
         # Pasted into the page that is open.
         self.show()
         self.js("location.hash = arguments[0]", fragment)
@@ -393,24 +436,22 @@ class Page(unittest.TestCase):
             (tools.folder / folder).mkdir(exist_ok=True)
             grids.append(f"{folder}/{'one, two' if folder == 'c' else 'one'}.grid")
             shutil.copy(tools.folder / grid, tools.folder / grids[-1])
-        with Gridview(tools, scene[0], *grids, "-q") as server:
+        with self.serving(scene[0], *grids) as server:
             self.show(server=server)
             for first, second in [(1, 0), (2, 0)]:
-                self.js("state.panes = [{grid: arguments[0], channel: 'cells', cells: 'ray'}, {grid: arguments[1], channel: 'cells', cells: 'none'}]; update()", first, second)
-                self.wait_sharp()
+                self.change("state.panes = [{grid: arguments[0], channel: 'cells', cells: 'ray'}, {grid: arguments[1], channel: 'cells', cells: 'none'}]; update()", first, second)
                 self.show(fragment=self.js("return fragment()"), server=server)
                 shown = self.js("return state.panes.map((pane) => state.scene.grids[pane.grid].hash)")
                 self.assertEqual(shown, [self.js("return state.scene.grids[arguments[0]].hash", grid) for grid in (first, second)])
-            self.leave()
 
     def test_a_walk_of_too_many_rays_says_how_many_more(self):
         glass = tools.make_nested_glass()
-        with Gridview(tools, *glass, "-q") as server:
+        with self.serving(*glass) as server:
             self.show(server=server)
             for depth, more in [(5, None), (12, False), (32, True)]:
                 self.js("state.depth = arguments[0]; document.getElementById('walk-all').checked = true; update()", depth)
                 self.pick(0, 0)
-                notes = [note.text for note in self.browser.find_elements(By.CSS_SELECTOR, ".walk-more")]
+                notes = [note.text for note in self.find_all(".walk-more")]
                 rays, count = self.js("return [walkPanel.walk.rays.length, walkPanel.walk.more_rays]")
                 if more is None:
                     self.assertEqual(notes, [])
@@ -418,29 +459,21 @@ class Page(unittest.TestCase):
                     self.assertEqual(rays, 1000)
                     number = f"{count:,}".replace(",", "\u2009")
                     self.assertEqual(notes, [f"and {'more than ' if more else ''}{number} more rays, which aren’t listed"])
-                    self.screenshot(f"more-rays-{depth}")
                 if not more:
                     ray = self.js("return [...walkPanel.ray.origin, ...walkPanel.ray.direction].join()")
                     printed = json.loads(tools.run("gridtrace", *glass, f"--ray={ray}", "--all-rays", "--depth", depth, "--json", "-q"))
                     self.assertEqual(len(printed["rays"]), rays + count)
                     self.assertEqual(printed["rays"][:rays], self.js("return walkPanel.walk.rays"))
-            self.leave()
 
     def test_the_copied_command_of_a_channel_writes_its_values(self):
         for channel in ["cells", "all tests", "depth", "idle"]:
-            self.js("panes[0].set({channel: arguments[0]})", channel)
-            self.wait_sharp()
+            self.change("panes[0].set({channel: arguments[0]})", channel)
             tools.run(*shlex.split(self.js("return command()")), "-q")
-            width, height, rows = read_pfm(tools.folder / f"picture.{channel.split()[-1]}.pfm")
-            got_width, got_height, got = self.pixels()
-            self.assertEqual((got_width, got_height), (width, height))
-            got = self.js("return Array.from(panes[0].picture.values.data, (value) => Number.isFinite(value) ? value : 1e38)")
-            self.assertEqual(got, [min(value, 1e38) for row in rows for value in row])
+            self.assert_values(f"picture.{channel.split()[-1]}.pfm")
 
     def test_a_channel_has_one_scale_linear_or_logarithmic_and_its_values_are_shown(self):
         self.show(1280, 640)
-        self.js("toggleCompare(); for (const pane of panes) pane.set({channel: 'all tests'})")
-        self.wait_sharp()
+        self.change("toggleCompare(); for (const pane of panes) pane.set({channel: 'all tests'})")
         kinds = []
         for kind in ["linear", "logarithmic", "automatic"]:
             self.keys("l")
@@ -457,14 +490,13 @@ class Page(unittest.TestCase):
                     share = math.log1p(values[at]) / math.log1p(high) if is_logarithmic else values[at] / high
                     wanted = samples[round((len(samples) - 1) * min(1, share))]
                     self.assertLess(max(abs(got[4 * at + c] - wanted[c]) for c in range(3)), 14, "colours between samples")
-            kinds.append((got, [scale.is_displayed() for scale in self.browser.find_elements(By.CSS_SELECTOR, ".scale")]))
-            self.screenshot(f"scale-{kind}")
+            kinds.append((got, [scale.is_displayed() for scale in self.find_all(".scale")]))
         self.assertNotEqual(kinds[0][0], kinds[1][0])
         self.assertEqual([one[1] for one in kinds], [[True, False]] * 3)
         # Under the pointer, in both pictures, and under the cross hair.
         stage = self.find(".stage")
         ActionChains(self.browser).move_to_element_with_offset(stage, 30, 20).perform()
-        shown = [value.text for value in self.browser.find_elements(By.CSS_SELECTOR, ".under-pointer")]
+        shown = [value.text for value in self.find_all(".under-pointer")]
         values = self.js("return panes.map(({picture: {values: {width, height, data}}}) => data[Math.floor(state.pointer.y * height) * width + Math.floor(state.pointer.x * width)])")
         self.assertEqual(shown, ["all tests " + f"{round(value):,}".replace(",", "\u2009") for value in values])
         self.assertEqual(self.js("return [panes[0].stage.clientWidth, panes[0].stage.clientHeight]"), self.pixels()[:2])
@@ -485,15 +517,13 @@ class Page(unittest.TestCase):
             seen.append(picture)
             is_number = name in ("depth", "cells", "tests", "idle", "all cells", "all tests", "cut")
             self.assertEqual(self.find(".scale").is_displayed(), is_number, name)
-        self.screenshot("channel")
 
     def test_a_cut_shows_what_lies_behind_the_plane(self):
         choice = self.chance()
         met = 0
         for axis, grid in [(0, 1), (1, 0), (2, 0)]:
             self.show(fragment=f"#grid={scene[1 + grid]}&channel=cut&slice={'xyz'[axis]},{choice.uniform(0.4, 0.6)}")
-            self.js("setCamera(Camera.orbited(state.camera, arguments[0], 0))", choice.uniform(-3, 3))
-            self.wait_sharp()
+            self.change("setCamera(Camera.orbited(state.camera, arguments[0], 0))", choice.uniform(-3, 3))
             wait_until(lambda: self.js("return slicePanel.of(panes[0].settings.grid) && !slicePanel.isLoading"), "the slice")
             width, height, got = self.pixels()
             plane = self.js("return slicePanel.of(panes[0].settings.grid)")
@@ -519,7 +549,6 @@ class Page(unittest.TestCase):
             self.assertEqual(self.find(".scale").text.replace("\u2009", "").split(), ["references", "1", f"{most},", "log"])
             tools.run(*shlex.split(self.js("return command()")))
         self.assertGreater(met, 20)
-        self.screenshot("cut")
 
     def test_two_grids_side_by_side(self):
         self.find("#compare").click()
@@ -529,15 +558,12 @@ class Page(unittest.TestCase):
         sizes = [self.pixels(0)[:2], self.pixels(1)[:2]]
         self.assertEqual(sizes[0], sizes[1])
         self.assertEqual(self.pixels(0)[2], self.pixels(1)[2])
-        wait_until(lambda: len(self.browser.find_elements(By.CSS_SELECTOR, "#cost td.better")) > 1, "costs of both")
-        self.screenshot("compare")
-        self.js("for (const pane of panes) pane.set({channel: 'cells'})")
-        self.wait_sharp()
+        wait_until(lambda: len(self.find_all("#cost td.better")) > 1, "costs of both")
+        self.change("for (const pane of panes) pane.set({channel: 'cells'})")
         self.assertNotEqual(self.pixels(0)[2], self.pixels(1)[2])
-        self.screenshot("compare-cells")
         self.find("#compare").click()
         self.wait_sharp()
-        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".picture")), 1)
+        self.assertEqual(len(self.find_all(".picture")), 1)
 
     def test_slices_over_the_picture(self):
         self.js("document.getElementById('slice-panel').open = true; panes[0].set({cells: 'slice'})")
@@ -548,7 +574,6 @@ class Page(unittest.TestCase):
         self.wait_sharp()
         drawn = self.js("const c = panes[0].overlay.canvas; return c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some((value) => value > 0)")
         self.assertTrue(drawn)
-        self.screenshot("slice")
         # Of a uniform grid with the empty cells: they fill the layer.
         self.js("panes[0].set({grid: 1})")
         wait_until(lambda: self.js("return slicePanel.of(1)"), "the uniform grid's slice")
@@ -562,6 +587,11 @@ class Page(unittest.TestCase):
         wait_until(lambda: self.js("return state.plane && planeView.plots.length === state.plane.length && !planeView.isFollowing && "
                                    "planeView.plots.every((plot) => plot.slice) && planeView.grids.every((grid) => walkPanel.rayOf(grid)) && "
                                    "planeView.last.rays.every((ray, i) => ray === walkPanel.rayOf(planeView.grids[i]))"), "the ray's walks in the plane")
+        self.take_picture()
+
+    def change_plane(self, script, *arguments):
+        self.js(script, *arguments)
+        self.wait_plane()
 
     def show_plane(self, server, width=1280, height=800, dark=False, fragment="#view=plane"):
         self.show(width, height, dark, "#", server)
@@ -575,7 +605,7 @@ class Page(unittest.TestCase):
           return ['from', 'to'].map((name) => [(at.x(planeView.ends[name][0]) - canvas.width / 2) / pixel, (at.y(planeView.ends[name][1]) - canvas.height / 2) / pixel]);""", plot)
 
     def drag(self, plot, start, to, touch=False):
-        canvas = self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice")[plot]
+        canvas = self.find_all("canvas.slice")[plot]
         pointer = PointerInput(interaction.POINTER_TOUCH, "finger") if touch else PointerInput(interaction.POINTER_MOUSE, "mouse")
         actions = ActionBuilder(self.browser, mouse=pointer)
         actions.pointer_action.move_to(canvas, *map(round, start)).pointer_down()
@@ -585,11 +615,10 @@ class Page(unittest.TestCase):
         actions.perform()
         self.wait_plane()
 
-    def assert_walks_in_plane(self, grids, scene_path=None):
+    def assert_walks_in_plane(self, grids):
         """Counts, in the end and at each step, and the table are those of gridtrace."""
-        printed = [self.printed(grid, scene_path=scene_path) for grid in grids]
-        whats = ["node" if grid.endswith("_bvh.grid") else "cell" for grid in grids]
-        alls = [f"{counted(one['cells'], what)}, {counted(one['tests'], 'test')}" for one, what in zip(printed, whats)]
+        printed, whats = [self.printed(grid) for grid in grids], [what_of(grid) for grid in grids]
+        alls = [counts_of(one, what) for one, what in zip(printed, whats)]
         shown = lambda: self.js("return planeView.plots.map((plot) => plot.counts.textContent)")
         self.assertEqual(shown(), alls)
         rows = self.js("return [...document.querySelectorAll('#walk > table tbody tr')].map((row) => [...row.cells].slice(1, 1 + planeView.grids.length).map((cell) => cell.textContent))")
@@ -644,12 +673,10 @@ class Page(unittest.TestCase):
 
     def test_a_ray_is_dragged_through_slices_of_every_structure(self):
         choice = self.chance()
-        tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
-        grids = [*scene[1:], "balance.grid", tools.make_hierarchy(scene[0])]
-        with Gridview(tools, scene[0], *grids, "-q") as server:
+        grids = [*scene[1:], "balance.grid", hierarchy]
+        with self.serving(scene[0], *grids) as server:
             self.show_plane(server, fragment="#view=plane&slice=y,0.5")
             self.assert_walks_in_plane(grids)
-            self.screenshot("plane")
             box = self.js("const c = planeView.plots[0].canvas; return [c.clientWidth / 2 - 20, c.clientHeight / 2 - 20]")
             for touch in (False, True):
                 for end in (1, 0, "both"):
@@ -670,8 +697,7 @@ class Page(unittest.TestCase):
                     if end == 0:
                         self.assertNotEqual(ray["origin"], before["origin"])
                     if end == "both":
-                        for a, b in zip(ray["direction"], before["direction"]):
-                            self.assertAlmostEqual(a, b)
+                        self.assert_near(ray["direction"], before["direction"])
                     self.assert_walks_in_plane(grids)
             # Keys: the ray's end and its origin, steps, zoom.
             self.js("planeView.plots[0].canvas.focus()")
@@ -679,7 +705,7 @@ class Page(unittest.TestCase):
             self.keys(Keys.ARROW_LEFT)
             self.wait_plane()
             self.assertLess(self.js("return planeView.ends.to[0]"), before["to"][0])
-            self.browser.execute_script("planeView.plots[0].canvas.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowUp', shiftKey: true, bubbles: true}))")
+            self.js("planeView.plots[0].canvas.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowUp', shiftKey: true, bubbles: true}))")
             self.wait_plane()
             self.assertGreater(self.js("return planeView.ends.from[1]"), before["from"][1])
             self.assert_walks_in_plane(grids)
@@ -694,11 +720,9 @@ class Page(unittest.TestCase):
             canvas = self.find("canvas.slice")
             under = "const p = planeView.plots[0], at = p.window(p.slice, planeView.zoom); return [at.u(p.canvas.width / 2 + 50 * p.pixel), at.v(p.canvas.height / 2 + 30 * p.pixel)]"
             place = self.js(under)
-            ActionChains(self.browser).scroll_from_origin(webdriver.common.actions.wheel_input.ScrollOrigin.from_element(canvas, 50, 30), 0, -400).perform()
+            ActionChains(self.browser).scroll_from_origin(ScrollOrigin.from_element(canvas, 50, 30), 0, -400).perform()
             wait_until(lambda: self.js("return planeView.zoom"), "it zooms")
-            for a, b in zip(self.js(under), place):
-                self.assertAlmostEqual(a, b, delta=0.02)
-            self.screenshot("plane-zoomed")
+            self.assert_near(self.js(under), place, 0.02)
             # What is under the pointer.
             ActionChains(self.browser).move_to_element(canvas).perform()
             self.assertRegex(self.find(".plots .status").text, r"^x .*, z .*: voxels \d")
@@ -714,43 +738,36 @@ class Page(unittest.TestCase):
             self.assertEqual(self.js("return planeView.ends"), before[2])
             self.assert_walks_in_plane(grids)
             # Other structures, and back to the pictures.
-            self.js("planeView.choose(0, 3)")
-            self.wait_plane()
+            self.change_plane("planeView.choose(0, 3)")
             self.assert_walks_in_plane([grids[3], *grids[1:]])
             for width, height in [(400, 800), (1280, 800), (1920, 1080)]:
                 for dark in (False, True):
                     self.show_plane(server, width, height, dark)
                     self.assert_fits(width)
-                    self.screenshot(f"plane-{width}-{'dark' if dark else 'light'}")
             self.js("document.activeElement.blur()")
             self.keys("p")
             self.wait_sharp()
             self.assertIsNone(self.js("return walkPanel.ray"))
-            self.js("setCamera(Camera.orbited(state.camera, 0.1, 0)); showCost(); togglePlane()")  # before the next frame
-            self.wait_plane()
-            self.leave()
+            self.change_plane("setCamera(Camera.orbited(state.camera, 0.1, 0)); showCost(); togglePlane()")  # before the next frame
 
     def test_a_hierarchy_beside_a_grid(self):
-        names = [scene[1], tools.make_hierarchy(scene[0])]
-        with Gridview(tools, scene[0], *names, "-q") as server:
+        names = [scene[1], hierarchy]
+        with self.serving(scene[0], *names) as server:
             self.show(1280, 900, server=server, fragment=f"#grid={','.join(names)}&channel=cells,cells")
             # One range and one colour bar.
             highest = self.js("return Math.max(...panes.map((pane) => pane.span.high))")
             self.assertGreaterEqual(self.js("return scales.of('cells').high"), highest)
-            self.assertEqual([scale.is_displayed() for scale in self.browser.find_elements(By.CSS_SELECTOR, ".scale")], [True, False])
+            self.assertEqual([scale.is_displayed() for scale in self.find_all(".scale")], [True, False])
             # The walk: nodes, and what became of their boxes.
             self.js("for (const pane of panes) pane.set({cells: 'ray'})")
             for pane, x, y in [(1, 0, 0), (0, 30, -60)]:
                 self.pick(x, y, pane)
-                shown, printed = self.walk(), [self.printed(name) for name in names]
+                printed = self.assert_shows(names)
                 self.assertEqual(printed[0]["hit"], printed[1]["hit"])
-                for i, what in enumerate(["cell", "node"]):
-                    self.assert_shows(printed[i], shown[i], True, what)
                 self.assert_lists(printed[pane])
             self.pick(0, 0, 1)
             cropped = self.js("return [...document.querySelectorAll('#walk .scroll, #statistics .scroll')].map((e) => e.scrollWidth - e.clientWidth)")
             self.assertEqual(cropped, [0, 0])
-            self.screenshot("hierarchy-walk")
             # Boxes of each depth, chosen by keys.
             tools.run("gridstat", names[1], "--cells", "boxes.csv")
             boxes = [line.split(",") for line in (tools.folder / "boxes.csv").read_text().splitlines()[1:]]
@@ -767,25 +784,23 @@ class Page(unittest.TestCase):
                 wait_until(lambda: self.js("return (slicePanel.boxesOf(1) || {}).count") == len(wanted), "the boxes of another depth")
                 self.assertEqual(self.js("return slicePanel.boxesOf(1).boxes.map(({min, max, depth}) => [...min, ...max, depth])"), wanted)
                 if depth == 1:
-                    self.screenshot("hierarchy-boxes")
                     self.wait_sharp()
                     fragment = self.js("return fragment()")
             # Its slice is that of gridstat, with the grid's range of colours.
-            self.js("state.slice.depth = null; document.getElementById('plane').click()")
-            self.wait_plane()
+            self.change_plane("state.slice.depth = null; document.getElementById('plane').click()")
             for depth in [None, 1]:
                 self.js("slicePanel.set({depth: arguments[0]})", depth)
                 tools.run("gridstat", names[1], "--slice", "z=50%", "-o", "slice.json", *([] if depth is None else ["--depth", depth]))
                 self.assertEqual(self.js("return slicePanel.cellsOf(1)"), json.loads((tools.folder / "slice.json").read_text())["cells"])
                 most = self.js("return Math.max(...[0, 1].flatMap((grid) => slicePanel.cellsOf(grid).map((cell) => cell[4])))")
                 wait_until(lambda: self.find(".slice-scale").text.split() == ["references", "1", str(most)], "one colour bar for both")
-            self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice")), 2)
+            self.assertEqual(len(self.find_all("canvas.slice")), 2)
             self.js("slicePanel.set({depth: null})")
             # The box under the pointer, those around it, and those of its node, as gridstat's slice has them.
             tools.run("gridstat", names[1], "--slice", "z=50%", "-o", "slice.json")
             cells = json.loads((tools.folder / "slice.json").read_text())["cells"]
             wait_until(lambda: self.js("return slicePanel.cellsOf(1)") == cells, "boxes of all depths")
-            canvas = self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice")[1]
+            canvas = self.find_all("canvas.slice")[1]
             for x, y in [(0, 0), (5, -4), (-3, 6)]:
                 ActionChains(self.browser).move_to_element_with_offset(canvas, x, y).perform()
                 box, kin = self.js("const plot = planeView.plots[1]; return [plot.hovered, kin(plot.slice.cells, plot.hovered)]")
@@ -795,26 +810,20 @@ class Page(unittest.TestCase):
                     node = around[-1][7] // 8
                 self.assertEqual(kin, {"around": around, "within": [cell for cell in cells if cell[7] // 8 == box[6] > 0]})
                 self.assertEqual(len(around), box[5])
-                self.assertIn(f"box {box[7]}, depth {box[5]}", self.browser.find_elements(By.CSS_SELECTOR, ".plots .status")[1].text)
-            self.screenshot("hierarchy-slices")
+                self.assertIn(f"box {box[7]}, depth {box[5]}", self.find_all(".plots .status")[1].text)
             # An address holds the depth.
             self.show(1280, 900, server=server, fragment=fragment)
             self.assertEqual(self.js("return [state.slice.depth, state.panes.map((pane) => pane.cells)]"), [1, ["boxes", "boxes"]])
             # Its statistics are those of gridstat.
-            printed = json.loads(tools.run("gridstat", names[1], "--json", "--histogram"))
-            served = json.loads(server.get("/api/statistics?grid=1"))
-            self.assertEqual({**served, "commit": None}, {**printed, "commit": None})
+            self.assert_statistics(server, 1, names[1])
             wait_until(lambda: "boxes per node" in self.find("#statistics").text and "occupied voxels" in self.find("#statistics").text, "both kinds of statistics")
-            self.leave()
 
     def test_statistics_are_those_of_gridstat(self):
-        wait_until(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#statistics table"), "statistics")
+        wait_until(lambda: self.find_all("#statistics table"), "statistics")
         for index, grid in enumerate(scene[1:]):
-            printed = json.loads(tools.run("gridstat", grid, "--json", "--histogram"))
-            served = json.loads(self.server.get(f"/api/statistics?grid={index}"))
-            self.assertEqual({**served, "commit": None}, {**printed, "commit": None})  # the tools may be of two builds
+            self.assert_statistics(self.server, index, grid)
         self.js("document.getElementById('histogram-panel').open = true")
-        self.assertGreater(len(self.browser.find_elements(By.CSS_SELECTOR, "#histogram rect")), 1)
+        self.assertGreater(len(self.find_all("#histogram rect")), 1)
 
     def test_keyboard_alone(self):
         order = []
@@ -852,8 +861,7 @@ class Page(unittest.TestCase):
         self.wait_sharp()
 
     def test_every_control_has_a_name(self):
-        self.js("document.querySelectorAll('details').forEach((details) => { details.open = true; }); toggleCompare()")
-        self.wait_sharp()
+        self.change("document.querySelectorAll('details').forEach((details) => { details.open = true; }); toggleCompare()")
         nameless = self.js("return [...document.querySelectorAll('button, select, input, canvas:not([aria-hidden]), [tabindex=\"0\"]')].filter((e) => "
                            "!(e.textContent.trim() && e.tagName === 'BUTTON') && !e.getAttribute('aria-label') && !(e.labels && e.labels.length > 0) && "
                            "!e.closest('[role=application]')).map((e) => e.outerHTML.slice(0, 90))")
@@ -873,17 +881,13 @@ class Page(unittest.TestCase):
                 self.assertGreater(contrast(paper, ink), 7)
                 self.assertGreater(contrast(paper, faint), 4.5)
                 self.js("scrollTo(0, 0)")
-                self.screenshot(f"{width}-{'dark' if dark else 'light'}")
 
     def test_an_exported_page_needs_no_server(self):
-        tools.run("gridview", *scene, "--export", "page.html", "--views", "3", "--size", "160x120", "-q")
+        address = self.export("page.html", *scene, "--views", "3", "--size", "160x120")
         text = (tools.folder / "page.html").read_text()
         self.assertIn("default-src 'none'", text)
         self.assertNotRegex(text, r'(src|href)="(?!data:|#)[^"]*"')
-        self.leave()
-        address = (tools.folder / "page.html").as_uri()
-        self.browser.get(f"{address}#grid={scene[1]},{scene[2]}&channel=shaded,cells")
-        self.wait_sharp()
+        self.open(f"{address}#grid={scene[1]},{scene[2]}&channel=shaded,cells")
         self.assertEqual(self.pixels(0)[:2], [160, 120])
         before = self.pixels(0)
         self.js("panes[0].stage.focus()")
@@ -891,82 +895,65 @@ class Page(unittest.TestCase):
         self.wait_sharp()
         self.assertNotEqual(self.pixels(0), before)
         for name in self.js("return state.scene.channels"):
-            self.js("panes[1].set({channel: arguments[0]})", name)
-            self.wait_sharp()
+            self.change("panes[1].set({channel: arguments[0]})", name)
         self.js("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
         wait_until(lambda: self.js("return document.querySelector('#statistics table') && "
                                    "document.querySelectorAll('#cost td.better').length > 0"), "all panels")
         self.keys(Keys.ENTER, Keys.ENTER)
         self.wait_walk()
-        self.screenshot("exported")
         ray, shown = self.js("return walkPanel.ray"), self.walk()
-        for i in range(2):
-            self.assert_shows(self.printed(scene[1 + i]), shown[i], False)
+        self.assert_shows(scene[1:], cells_drawn=False)
         # The walk of the nearest pixel that was exported.
         middle = self.js("return walkPanel.pixel")
         self.pick(-90, 30)
         pixel = self.js("return walkPanel.pixel")
         self.assertLess(pixel["x"], middle["x"])
-        for i, one in enumerate(self.walk()):
-            self.assert_shows(self.printed(scene[1 + i]), one, False)
+        self.assert_shows(scene[1:], cells_drawn=False)
         self.pick(0, 0)
         self.keys(Keys.ARROW_RIGHT)  # the walk stays where it is, in the next view
         self.wait_sharp()
         self.assertEqual(self.walk(), shown)
         fragment = self.js("return fragment()")
-        load(self.browser, address + fragment)
-        self.wait_sharp()
+        self.open(address + fragment)
         self.wait_walk()
         self.assertEqual(self.js("return walkPanel.ray"), ray)
         self.assertEqual(self.walk(), shown)
         # The plane: the ray's ends go from point to point.
-        self.js("document.getElementById('plane').click()")
-        self.wait_plane()
+        self.change_plane("document.getElementById('plane').click()")
         self.assert_walks_in_plane(scene[1:])
         for end in (1, 0):
             before = self.js("return walkPanel.ray")
             self.drag(1 - end, self.in_plane(1 - end)[end], (-40, -60) if end else (20, 60))
             self.assertNotEqual(self.js("return walkPanel.ray"), before)
             self.assert_walks_in_plane(scene[1:])
-        self.screenshot("exported-plane")
         # The slider stands where the slice is, and the list of keys has those that do something.
-        self.js("slicePanel.slider.value = 0.4; slicePanel.slider.dispatchEvent(new Event('input'))")
-        self.wait_plane()
+        self.change_plane("slicePanel.slider.value = 0.4; slicePanel.slider.dispatchEvent(new Event('input'))")
         self.assertEqual(self.js("return [slicePanel.slider.value, state.slice.share]"), ["0.5", 0.5])
         self.keys("?")
         self.assertNotRegex(self.find("#keys-list").text, r"pan\b|pinch, \+ −\n")
         self.assertIn("orbit", self.find("#keys-list").text)
         self.keys(Keys.ESCAPE)
-        self.assert_quiet(address)
 
     def test_an_exported_page_of_chosen_slices_has_the_rays_that_are_named(self):
-        names = [*scene[1:], tools.make_hierarchy(scene[0])]
         rays = ["-2.1,0.1,0.3,4.3,0.2,0", "-1.9,-0.2,0.3,3.9,0.1,0"]
         low, high = json.loads(self.server.get("/api/slice?grid=0&axis=2&share=0"))["range"]
         slices = [f"z,{(0.3 - low) / (high - low)}", "x,0.5"]
-        tools.run("gridview", scene[0], *names, "--export", "slices.html", "--views", "1", "--size", "64x48", "--boxes", "10",
-                  *[f"--slices={one}" for one in slices], *[f"--rays={ray}" for ray in rays], "-q")
-        self.leave()
-        address = (tools.folder / "slices.html").as_uri()
+        address = self.export("slices.html", scene[0], *structures, "--views", "1", "--size", "64x48", "--boxes", "10",
+                              *[f"--slices={one}" for one in slices], *[f"--rays={ray}" for ray in rays])
         for fragment, wanted in [("", rays[0]), (f"#view=plane&slice={slices[0]}&ray={rays[1]}", rays[1])]:
-            load(self.browser, address + fragment)
-            self.wait_plane()
+            self.open(address + fragment, self.wait_plane)
             ray = self.js("return walkPanel.ray")
-            for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted.split(","))):
-                self.assertAlmostEqual(a, b)
-            self.assert_walks_in_plane(names)
-            self.assert_sentences(names)
+            self.assert_near(ray["origin"] + ray["direction"], map(float, wanted.split(",")))
+            self.assert_walks_in_plane(structures)
+            self.assert_sentences(structures)
         # A ray that isn't there is the nearest that is, and says so by its ends; an axis without slices has the nearest one.
-        load(self.browser, f"{address}#view=plane&slice=y,0.2&ray=-1.95,-0.2,0.31,3.9,0.1,0")
-        self.wait_plane()
+        self.open(f"{address}#view=plane&slice=y,0.2&ray=-1.95,-0.2,0.31,3.9,0.1,0", self.wait_plane)
         self.assertEqual(self.js("return [state.slice.axis, 'xyz'.indexOf(slicePanel.axis.selectedOptions[0].textContent)]"), [0, 0] if abs(0.2 - 0.5) < abs(0.2 - float(slices[0][2:])) else [2, 2])
         self.js("location.hash = arguments[0]", f"#view=plane&slice={slices[0]}&ray=-1.95,-0.2,0.31,3.9,0.1,0")
         wait_until(lambda: self.js("return state.slice.axis") == 2, "the other slice")
         self.wait_plane()
         self.assertEqual(self.js("return String([...walkPanel.ray.origin.slice(0, 2)])"), "-1.9,-0.2")
-        self.assert_walks_in_plane(names)
-        self.assert_quiet(address)
-        self.leave()
+        self.assert_walks_in_plane(structures)
         for wrong in [["--slices=q"], ["--slices=y,2"], ["--slices=y,"], ["--slices=y,0.5", "--rays=1,2"], ["--slices=y,0.5", "--rays=0,9,0,1,0,0"], ["--slices=y,0.5", "--rays=0,0,0,1,1,0"]]:
             with self.assertRaises(subprocess.CalledProcessError) as failed:
                 tools.run("gridview", *scene, "--export", "wrong.html", "--views", "1", "--size", "8x8", *wrong, "-q")
@@ -984,35 +971,29 @@ class Page(unittest.TestCase):
         loaded = {*(f"teapot-{name}.grid" for name in served), *(f"division-{division}" for division in divisions)}
         for grids in re.findall(r"8765/#grid=([^&]*)", lesson):  # of the server that the lesson starts
             self.assertLessEqual({*grids.split(",")}, loaded)
-        self.leave()
-        address = (docs / "plane.html").as_uri()
+        address = self.open_file(docs / "plane.html")
         for width, link in [(1440, ""), *((1024, link) for link in links)]:
             resize(self.browser, width, 800)
             load(self.browser, address + link)
             wait_until(lambda: self.js("return state.plane && walkPanel.walks.size"), "walks")
             self.assertEqual(self.js("return walkPanel.isAsking"), "guess=1" in link)
-            self.js("setGuess(false)")
-            self.wait_plane()
+            self.change_plane("setGuess(false)")
             grids, ray, slice_ = self.js("return [state.plane.map((grid) => state.scene.grids[grid].name), walkPanel.ray, state.slice]")
             wanted = dict(part.split("=") for part in link[1:].split("&")) if link else {
                 "grid": "division-32,teapot-balance.grid,teapot-irregular.grid,teapot-bvh.grid", "slice": "y,0.5", "ray": "-3.9,0,2.9,7.6,0,-1.4"}
             self.assertEqual(",".join(grids), wanted["grid"])
             self.assertEqual([slice_["axis"], slice_["share"]], [1, float(wanted["slice"][2:])])
-            for a, b in zip(ray["origin"] + ray["direction"], map(float, wanted["ray"].split(","))):
-                self.assertAlmostEqual(a, b, delta=1e-4)
+            self.assert_near(ray["origin"] + ray["direction"], map(float, wanted["ray"].split(",")), 1e-4)
             self.assertTrue(self.js("return planeView.plots.every((plot) => /^[\\d\u2009]+ (cell|node)s?, [\\d\u2009]+ tests?/.test(plot.counts.textContent))"))
             self.assertFalse(self.find("#missing").is_displayed())
             self.assert_fits(width)
         # Its slider has the lesson's answer: what one ray costs in four divisions.
-        load(self.browser, address + next(link for link in links if "grid=division-8&" in link).replace("&guess=1", ""))
-        self.wait_plane()
+        self.open(address + next(link for link in links if "grid=division-8&" in link).replace("&guess=1", ""), self.wait_plane)
         costs = []
         for grid in range(self.js("return state.scene.given"), self.js("return state.scene.grids.length")):
-            self.js("planeView.choose(0, arguments[0])", grid)
-            self.wait_plane()
+            self.change_plane("planeView.choose(0, arguments[0])", grid)
             costs.append(self.js("return planeView.plots[0].costText.textContent.split(' = ')[1]"))
         self.assertIn(f"it costs {', '.join(costs)}.", lesson)
-        self.assert_quiet(address)
 
     # --- Made in memory ---
 
@@ -1035,7 +1016,7 @@ class Page(unittest.TestCase):
             tools.run("gridbuild", "tetra.scene", "-o", f"tetra-{name}.grid", *options)
         with Gridview(tools, "tetra.scene", *(f"tetra-{name}.grid" for name in builds), "-q") as server:
             written = json.loads(server.get("/api/scene"))
-        keep = lambda one: {key: value for key, value in one.items() if key not in ("made_by", "upload_seconds")}
+        keep = lambda one: without(one, "made_by", "upload_seconds")
         self.assertEqual([keep(served["scene"]), *map(keep, served["grids"])], [keep(written["scene"]), *map(keep, written["grids"])])
         self.assertEqual([one["made_by"] for one in written["grids"]], [[]] * 4)
 
@@ -1058,11 +1039,10 @@ class Page(unittest.TestCase):
                 self.assertEqual([one["hash"] for one in [served["scene"], *served["grids"]]], [one["hash"] for one in [written["scene"], *written["grids"]]])
 
     def test_play_goes_through_the_steps_and_says_what_each_does(self):
-        names = [*scene[1:], tools.make_hierarchy(scene[0])]
-        with Gridview(tools, scene[0], *names, "-q") as server:
+        with self.serving(scene[0], *structures) as server:
             self.show_plane(server, fragment="#view=plane&slice=y,0.5")
-            self.assert_sentences(names)
-            button = next(one for one in self.browser.find_elements(By.CSS_SELECTOR, "#planes button") if one.text == "Play")
+            self.assert_sentences(structures)
+            button = next(one for one in self.find_all("#planes button") if one.text == "Play")
             button.click()  # from the beginning, where all have ended
             self.assertEqual([self.js("return walkPanel.step"), button.text], [0, "Pause"])
             for step in (1, 2):
@@ -1080,19 +1060,16 @@ class Page(unittest.TestCase):
                 self.show_plane(server, width, 800, dark, "#view=plane&slice=y,0.5")
                 self.js("walkPanel.select(2)")
                 self.assert_fits(width)
-                self.screenshot(f"sentences-{width}-{'dark' if dark else 'light'}")
-            self.js("togglePlane()")
-            self.wait_sharp()
+            self.change("togglePlane()")
             self.pick(0, 0)
             self.assertRegex(self.find("#walk p.of-pictures").text, r"^cell \d+: .*(nothing nearer can follow|leaves the grid)$")
-            self.leave()
 
     # --- Guess, cost and division ---
 
     def wait_question(self):
         wait_until(lambda: self.js("return walkPanel.isAsking && walkPanel.walks.size > 0 && document.querySelectorAll('.guess input').length > 0"), "a question")
 
-    def assert_hidden(self, printed):
+    def assert_hidden(self):
         """No count of the ray is on the page, or said."""
         text = self.js("return [document.querySelector('#walk').textContent, document.querySelector('.unseen').textContent, ...[...document.querySelectorAll('.walk-counts, .walk-cost, .walk-sentence')].filter((e) => !e.hidden && !e.classList.contains('unused')).map((e) => e.textContent), "
                        "...[...document.querySelectorAll('canvas.slice')].map((e) => e.getAttribute('aria-label'))].join(' ')")
@@ -1100,64 +1077,58 @@ class Page(unittest.TestCase):
         self.assertEqual(self.js("return [walkPanel.lastStep, document.querySelectorAll('.walk-steps').length]"), [0, 0])
 
     def test_what_a_ray_visits_is_shown_when_it_has_been_guessed(self):
-        names = [*scene[1:], tools.make_hierarchy(scene[0])]
-        with Gridview(tools, scene[0], *names, "-q") as server:
+        with self.serving(scene[0], *structures) as server:
             self.show(1280, 800, False, "#", server)
             self.js("location.hash = arguments[0]", "#view=plane&slice=y,0.5&guess=1")
             self.wait_question()
             self.assertTrue(self.find("#guess").is_selected())
             self.assertEqual(self.find(".guess p").text, "How many cells or nodes will this ray visit?")
-            printed = [self.printed(name) for name in names]
-            self.assert_hidden(printed)
-            self.screenshot("guess")
+            printed = [self.printed(name) for name in structures]
+            self.assert_hidden()
             self.keys(",", ".")  # no step tells
-            self.assert_hidden(printed)
+            self.assert_hidden()
             self.js("planeView.plots[0].canvas.focus()")
             self.keys(Keys.ENTER)
             self.assertEqual(self.js("return document.activeElement === document.querySelector('.guess input')"), True)
             self.keys("1", "2", Keys.TAB, Keys.TAB, "7", Keys.ENTER)  # none of the second
             self.wait_plane()
             self.assertEqual(self.js("return document.activeElement.className"), "slice")
-            whats = ["cell", "cell", "node"]
             guesses = ["; guessed 12", "", "; guessed 7"]
             self.assertEqual(self.js("return planeView.plots.map((plot) => plot.counts.textContent)"),
-                             [f"{counted(one['cells'], what)}, {counted(one['tests'], 'test')}{guess}" for one, what, guess in zip(printed, whats, guesses)])
+                             [counts_of(one, what_of(name)) + guess for name, one, guess in zip(structures, printed, guesses)])
             self.assertEqual(self.js("return [...document.querySelector('#walk > table tbody').rows[1].cells].map((cell) => cell.textContent)")[:4], ["guessed", "12", "–", "7"])
             self.assertEqual(self.find(".unseen").get_attribute("textContent"),
-                             ". ".join(f"{name.removesuffix('.grid').replace('_', '_' + chr(0x200b))}: {counted(one['cells'], what)}{guess}" for name, one, what, guess in zip(names, printed, whats, guesses)))
-            self.screenshot("guessed")
+                             ". ".join(f"{name.removesuffix('.grid').replace('_', '_' + chr(0x200b))}: {counted(one['cells'], what_of(name))}{guess}" for name, one, guess in zip(structures, printed, guesses)))
             # Another ray, another question; the address holds that there are any.
             self.js("planeView.move('to', [-0.2, 0.1], null)")
             self.wait_question()
-            self.assert_hidden(printed)
+            self.assert_hidden()
             wait_until(lambda: "guess=1" in self.js("return location.hash"), "the address holds the question")
             self.js("document.activeElement.blur()")
             self.keys("q")
             self.wait_plane()
             self.assertEqual([self.find("#guess").is_selected(), self.find("#announcement").text], [False, "guess first: off"])
-            self.assert_walks_in_plane(names)
+            self.assert_walks_in_plane(structures)
             wait_until(lambda: "guess" not in self.js("return location.hash"), "the address, too")
             # Of a pixel, in two pictures.
-            self.show(1280, 640, server=server, fragment=f"#grid={names[0]},{names[2]}&channel=shaded,shaded&guess=1&cells=ray,ray")
+            self.show(1280, 640, server=server, fragment=f"#grid={structures[0]},{structures[2]}&channel=shaded,shaded&guess=1&cells=ray,ray")
             self.find(".stage").click()
             self.wait_question()
             wait_until(lambda: self.js("return document.activeElement === document.querySelector('.guess input')"), "where guesses are typed")
-            self.assert_hidden(None)
+            self.assert_hidden()
             self.keys("3", Keys.ENTER)
             self.wait_walk()
             self.assertTrue(self.walk()[0]["counts"].endswith("tests; guessed 3") or self.walk()[0]["counts"].endswith("test; guessed 3"))
             self.js("panes[1].set({grid: 1})")  # the same ray isn't asked about again
             self.wait_walk()
             self.assertFalse(self.js("return walkPanel.isAsking"))
-            self.leave()
 
     def test_costs_are_weighted_counts_up_to_the_step(self):
         choice = self.chance()
-        names = [*scene[1:], tools.make_hierarchy(scene[0])]
-        with Gridview(tools, scene[0], *names, "-q") as server:
+        with self.serving(scene[0], *structures) as server:
             self.show_plane(server, fragment="#view=plane&slice=y,0.5&cost=4,9.5")
             self.assertEqual(self.js("return [document.querySelector('#cost-a').value, document.querySelector('#cost-b').value]"), ["4", "9.5"])
-            printed = [self.printed(name) for name in names]
+            printed = [self.printed(name) for name in structures]
             shown = "return planeView.plots.map((plot) => plot.costText.textContent.replaceAll('\u2009', ''))"
             for a, b in [(4, 9.5), (choice.randrange(2, 50), choice.randrange(0, 50))]:  # 1,1 isn't in the address
                 for name, weight in [("a", a), ("b", b)]:
@@ -1169,17 +1140,15 @@ class Page(unittest.TestCase):
                         self.assertEqual(text.rsplit(" = ", 1)[0], f"cost {a} · {tests} + {b} · {steps}")
                         self.assertAlmostEqual(float(text.rsplit(" = ", 1)[1]), wanted, delta=0.006 * wanted)
                         most = max(cost(each, a, b) for each in printed)
-                        for part, width in zip([a * tests, b * steps], bars):
-                            self.assertAlmostEqual(width, 100 * part / most, delta=0.01)
+                        self.assert_near(bars, [100 * a * tests / most, 100 * b * steps / most], 0.01)
             wait_until(lambda: f"cost={a},{b}" in self.js("return location.hash"), "the address holds the weights")
-            self.screenshot("cost")
             for wrong in ["cost=1", "cost=-1,2", "cost=1,x", "cost=1e9,1"]:
                 self.show_plane(server, fragment=f"#view=plane&{wrong}")
                 self.assertEqual(self.js("return state.cost"), [1, 1])
             self.js("const e = document.getElementById('cost-a'); e.value = '-3'; e.dispatchEvent(new Event('input'))")
             self.assertEqual(self.js("return state.cost"), [1, 1])
             # Of a view: the mean of its rays.
-            self.show(1280, 640, server=server, fragment=f"#grid={names[0]},{names[2]}&cost=2,3")
+            self.show(1280, 640, server=server, fragment=f"#grid={structures[0]},{structures[2]}&cost=2,3")
             wait_until(lambda: self.js("return panes.every((pane) => pane.counts)") and "cost per ray" in self.find("#cost").text, "costs of the view")
             counts = self.js("return panes.map((pane) => pane.counts)")
             rows = self.js("return [...document.querySelectorAll('#cost table tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))")
@@ -1188,12 +1157,10 @@ class Page(unittest.TestCase):
                 rays = sum(one[f"{kind}_rays"] for kind in ("eye", "shadow", "reflection", "refraction"))
                 wanted = (2 * sum(one["intersection_tests"].values()) + 3 * boxes * one["cells_visited"]) / rays
                 self.assertAlmostEqual(float(text), wanted, delta=0.006 * wanted)
-            self.leave()
 
     def test_a_slider_chooses_a_division_that_is_built_in_memory(self):
-        before = sorted(path.name for path in tools.folder.iterdir())
-        names = [scene[1], tools.make_hierarchy(scene[0])]
-        with Gridview(tools, scene[0], *names, "-q") as server:
+        names = [scene[1], hierarchy]
+        with self.serving(scene[0], *names) as server:
             self.show_plane(server, fragment="#view=plane&slice=y,0.5")
             # Where no uniform grid was given, one of 32 voxels per axis is beside them.
             self.assertEqual(self.js("return state.plane.map((grid) => state.scene.grids[grid].name)"), ["division-32", *names])
@@ -1215,16 +1182,11 @@ class Page(unittest.TestCase):
                 (words,) = self.js("return state.scene.grids[state.plane[0]].made_by")
                 self.assertEqual(words[-4:], ["--merge", "none", "--division", str(division)])
                 tools.run(*words)
-                grid = self.js("return state.plane[0]")
-                served = json.loads(server.get(f"/api/statistics?grid={grid}"))
-                printed = json.loads(tools.run("gridstat", words[3], "--json", "--histogram"))
-                keep = lambda one: {key: value for key, value in one.items() if key not in ("commit", "build_seconds", "hash")}
-                self.assertEqual(keep(served), keep(printed))
+                self.assert_statistics(server, self.js("return state.plane[0]"), words[3], "build_seconds", "hash")
                 self.assert_walks_in_plane([words[3], *names])
                 (tools.folder / words[3]).unlink()
             wait_until(lambda: "grid=division-128," in self.js("return location.hash"), "the address holds the division")
             fragment = self.js("return location.hash")
-            self.screenshot("division")
             for width, height in [(400, 800), (1024, 768), (1920, 1080)]:
                 for asks in (False, True):
                     self.show_plane(server, width, height, fragment=fragment)
@@ -1232,14 +1194,12 @@ class Page(unittest.TestCase):
                     self.assertEqual(self.find(".plots .division output").text, "128³")
                     self.assertEqual(len(set(self.js("return planeView.plots.map((plot) => plot.canvas.clientHeight)"))), 1)
                     self.assert_fits(width)
-                    self.screenshot(f"division-{width}-{asks}")
             # Over the pictures, with the command that makes them; g goes through it, too.
             self.show(1280, 640, server=server, fragment="#grid=division-8,division-64&channel=tests,tests")
-            self.assertEqual([text.text for text in self.browser.find_elements(By.CSS_SELECTOR, ".picture .division output")], ["8³", "64³"])
+            self.assertEqual([text.text for text in self.find_all(".picture .division output")], ["8³", "64³"])
             for step in self.js("return command()").split(" && "):
                 tools.run(*shlex.split(step), "-q")
-            width, height, rows = read_pfm(tools.folder / "picture-2.tests.pfm")
-            self.assertEqual(self.js("return Array.from(panes[1].picture.values.data, (value) => Number.isFinite(value) ? value : 1e38)"), [min(value, 1e38) for row in rows for value in row])
+            self.assert_values("picture-2.tests.pfm", 1)
             self.js("panes[0].stage.focus()")
             order = []
             for _ in range(4):
@@ -1247,17 +1207,12 @@ class Page(unittest.TestCase):
                 order.append(self.js("return state.scene.grids[state.panes[0].grid].name"))
             self.assertEqual(order, [*names, "division-8", names[0]])
             self.wait_sharp()
-            self.leave()
-        for name in sorted(path.name for path in tools.folder.iterdir()):
-            if "division" in name:
-                (tools.folder / name).unlink()
+        for path in [*tools.folder.glob("*division*")]:
+            path.unlink()
 
     def test_an_exported_plane_has_four_divisions_guesses_and_costs(self):
-        tools.run("gridview", *scene, "--export", "divisions.html", "--views", "1", "--size", "64x48", "--boxes", "10", "--slices", "y,0.5", "x,0.25", "-q")
-        self.leave()
-        address = (tools.folder / "divisions.html").as_uri()
-        self.browser.get(f"{address}#view=plane&slice=y,0.5&grid=division-8,{scene[1]}")
-        self.wait_plane()
+        address = self.export("divisions.html", *scene, "--views", "1", "--size", "64x48", "--boxes", "10", "--slices", "y,0.5", "x,0.25")
+        self.open(f"{address}#view=plane&slice=y,0.5&grid=division-8,{scene[1]}", self.wait_plane)
         self.js("document.querySelector('.plots .division input').focus()")
         for division in [8, 16, 32, 64]:
             self.assertEqual(self.find(".plots .division output").text, f"{division}³")
@@ -1265,13 +1220,12 @@ class Page(unittest.TestCase):
             self.assert_walks_in_plane(["divided.grid", scene[1]])
             self.keys(Keys.ARROW_RIGHT)
             self.wait_plane()
-        self.screenshot("exported-division")
         self.drag(0, self.in_plane(0)[1], (40, 30))
         self.assert_walks_in_plane(["divided.grid", scene[1]])
         printed = [self.printed(grid) for grid in ("divided.grid", scene[1])]
         self.js("location.hash = arguments[0]", self.js("return fragment()") + "&guess=1&cost=2,3")
         self.wait_question()
-        self.assert_hidden(printed)
+        self.assert_hidden()
         self.js("walkPanel.focusGuess()")
         self.keys("9", Keys.ENTER)
         self.wait_plane()
@@ -1280,18 +1234,14 @@ class Page(unittest.TestCase):
         # There are no pictures through them.
         self.assertNotIn("N³", self.js("document.getElementById('plane').click(); return panes[0].gridSelect.textContent"))
         self.wait_sharp()
-        load(self.browser, f"{address}#grid=division-8,{scene[1]}&channel=cells,tests")
-        self.wait_sharp()
+        self.open(f"{address}#grid=division-8,{scene[1]}&channel=cells,tests")
         self.assertIn("division-8, which isn’t loaded", self.find("#missing").text)
         self.assertEqual(self.js("return state.panes"), [dict(grid=0, channel="tests", cells="none")])
-        self.assert_quiet(address)
 
     def test_an_exported_hierarchy(self):
-        names = [tools.make_hierarchy(scene[0]), scene[1]]
-        tools.run("gridview", scene[0], *names, "--export", "hierarchy.html", "--views", "1", "--size", "160x120", "-q")
-        self.leave()
-        self.browser.get(f"{(tools.folder / 'hierarchy.html').as_uri()}#grid={','.join(names)}&channel=cells,cells&slice=z,0.5,1")
-        self.wait_sharp()
+        names = [hierarchy, scene[1]]
+        address = self.export("hierarchy.html", scene[0], *names, "--views", "1", "--size", "160x120")
+        self.open(f"{address}#grid={','.join(names)}&channel=cells,cells&slice=z,0.5,1")
         self.js("for (const pane of panes) pane.set({cells: 'boxes'}); panes[0].stage.focus()")
         wait_until(lambda: self.js("return slicePanel.boxesOf(0) && slicePanel.boxesOf(1)"), "boxes of both")
         served = self.js("return slicePanel.boxesOf(0)")
@@ -1299,24 +1249,15 @@ class Page(unittest.TestCase):
         self.assertEqual(served["count"], len(served["boxes"]))
         self.keys(Keys.ENTER, Keys.ENTER)
         self.wait_walk()
-        shown = self.walk()
-        for i, what in enumerate(["node", "cell"]):
-            self.assert_shows(self.printed(names[i]), shown[i], False, what)
-        self.assert_lists(self.printed(names[0]))
-        self.screenshot("hierarchy-exported")
-        self.assertEqual([entry["message"] for entry in self.logs()[1]], [])
+        self.assert_lists(self.assert_shows(names, cells_drawn=False)[0])
 
     def test_an_exported_page_shows_names_of_markup_as_text(self):
         names = ["<!--<script>.grid", "<\\script><b onclick=alert(1)>&amp;\u2028.grid"]
         for name, grid in zip(names, scene[1:]):
             shutil.copy(tools.folder / grid, tools.folder / name)
-        tools.run("gridview", scene[0], *names, "--export", "markup.html", "--views", "1", "--size", "64x48", "-q")
-        self.leave()
-        self.browser.get((tools.folder / "markup.html").as_uri())
-        self.wait_sharp()
+        self.open(self.export("markup.html", scene[0], *names, "--views", "1", "--size", "64x48"))
         self.assertEqual(self.js("return [...document.querySelectorAll('.grid option')].map((option) => option.textContent)"), names)
         self.assertEqual(self.js("return document.querySelectorAll('b').length"), 0)
-        self.assertEqual([entry["message"] for entry in self.logs()[1]], [])
 
     def test_a_hidden_or_closed_page_asks_nothing(self):
         self.leave()
@@ -1324,41 +1265,39 @@ class Page(unittest.TestCase):
         time.sleep(1)
         self.assertLess(self.server.cpu_seconds() - before, 0.2)
 
+    def wait_lost(self, is_lost):
+        wait_until(lambda: self.find("#lost").is_displayed() == is_lost, "a message while the server is gone")
+
     def test_it_says_when_the_server_is_gone_and_goes_on_when_it_is_back(self):
         with Gridview(tools, *scene, "-q") as server:
             self.show(server=server)
-            port = server.port
         self.js("setCamera(Camera.orbited(state.camera, 0.3, 0))")
-        wait_until(lambda: self.find("#lost").is_displayed(), "a message")
+        self.wait_lost(True)
         self.assertIn("still running", self.find("#lost").text)
-        with Gridview(tools, *scene, "-q", port=port):
-            wait_until(lambda: not self.find("#lost").is_displayed(), "all is well again")
+        with self.serving(*scene, port=server.port):  # which drops what Chromium says of refused connections
+            self.wait_lost(False)
             self.wait_sharp()
-        self.leave()  # what Chromium says of refused connections
 
     def test_the_plane_keeps_slices_and_walk_while_the_server_is_gone(self):
         with Gridview(tools, *scene, "-q") as server:
             self.show_plane(server)
-            port, ray = server.port, self.js("return walkPanel.ray")
+            ray = self.js("return walkPanel.ray")
         self.js("planeView.move('to', [-0.3, 0.2], null)")
-        wait_until(lambda: self.find("#lost").is_displayed(), "a message")
+        self.wait_lost(True)
         self.js("slicePanel.set({share: 0.4})")
         self.assertNotIn("Failed to fetch", self.find("body").text)
         self.assertTrue(self.js("return walkPanel.ray && planeView.plots.every((plot) => plot.slice && !plot.counts.hidden)"))
-        self.screenshot("plane-lost")
-        with Gridview(tools, *scene, "-q", port=port) as server:
-            wait_until(lambda: not self.find("#lost").is_displayed(), "all is well again")
+        with self.serving(*scene, port=server.port):
+            self.wait_lost(False)
             wait_until(lambda: self.js("return planeView.slice.position === walkPanel.ray.origin[2] && planeView.slice.position") not in (False, ray["origin"][2]), "the slice that was chosen meanwhile")
             self.wait_plane()
             self.assertNotEqual(self.js("return walkPanel.ray.direction"), ray["direction"])
             self.assert_walks_in_plane(scene[1:])
-            self.leave()
 
     def test_a_server_of_other_grids_at_the_same_port_is_not_taken_for_the_old_one(self):
         with Gridview(tools, *scene, "-q") as server:
             self.show(server=server, fragment=f"#grid={scene[1]}")
-            port = server.port
-        with Gridview(tools, scene[0], scene[2], "-q", port=port) as server:
+        with self.serving(scene[0], scene[2], port=server.port) as server:
             self.js("setCamera(Camera.orbited(state.camera, 0.3, 0))")
             wait_until(lambda: self.js("return typeof state !== 'undefined' && state.scene && state.scene.grids.slice(0, state.scene.given).map((grid) => grid.name)") == [scene[2]], "the page is loaded anew")
             self.wait_sharp()
@@ -1367,7 +1306,6 @@ class Page(unittest.TestCase):
                 server.get("/api/statistics?grid=0&files=" + "0" * 32)
             self.assertEqual(refused.exception.code, 409)
             refused.exception.close()
-            self.leave()
 
     # --- Addresses ---
 
@@ -1378,13 +1316,12 @@ class Page(unittest.TestCase):
         wait_until(lambda: "uniform" in self.find("#cost thead").text, "the other grid's name")
         for old in ["per ray", "trace", "shadow rays"]:
             self.assertNotIn(old, self.find("#cost table").text)
-        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#cost tr.head")), 1, "no headings of nothing")
+        self.assertEqual(len(self.find_all("#cost tr.head")), 1, "no headings of nothing")
 
     def test_a_link_to_grids_that_are_not_loaded_says_so(self):
         self.show(fragment=f"#grid=other.grid,{scene[2]}&channel=depth,cells")
         self.assertEqual(self.js("return state.panes"), [dict(grid=1, channel="cells", cells="none")])
         self.assertEqual(self.find("#missing").text, f"The link names other.grid, which isn’t loaded here. Shown: {scene[2]} of {scene[0]}.")
-        self.screenshot("missing")
         self.select(".picture .grid", 0)
         self.assertFalse(self.find("#missing").is_displayed())
         self.show(fragment=f"#grid={scene[2]}")
@@ -1458,9 +1395,7 @@ class Page(unittest.TestCase):
         self.wait_sharp()
 
     def test_the_plane_shows_the_grids_that_were_compared_and_gives_their_walk_back(self):
-        extra = [*scene, "balance.grid"]
-        tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
-        with Gridview(tools, *extra, "-q") as server:
+        with self.serving(*scene, "balance.grid") as server:
             self.show(1280, 640, server=server, fragment="#grid=balance.grid,balls_uniform.grid&channel=cells,cells")
             self.pick(0, 0, 1)
             self.js("walkPanel.move(-1)")
@@ -1469,19 +1404,13 @@ class Page(unittest.TestCase):
             for grid, one in zip(["balance.grid", "balls_uniform.grid"], commands):
                 self.assertIn(grid, one)
             self.assertEqual([shlex.split(one)[shlex.split(one).index("-o") + 1] for one in commands], ["picture.png", "picture-2.png"])
-            self.js("togglePlane()")
-            self.wait_plane()
+            self.change_plane("togglePlane()")
             self.assertEqual(self.js("return state.plane"), [2, 1])
-            self.js("togglePlane()")
-            self.wait_sharp()
+            self.change("togglePlane()")
             self.wait_walk()
             self.assertEqual(self.js(look), before)
-            self.leave()
 
     # --- Once ---
-
-    def requests(self, path):
-        return [event for event in self.logs()[0] if event["method"] == "Network.requestWillBeSent" and path in event["params"]["request"]["url"]]
 
     def test_what_lies_over_pictures_does_not_trace_them_anew(self):
         self.show(1280, 640, fragment=f"#grid={scene[1]},{scene[2]}&channel=shaded,cells")
@@ -1490,7 +1419,7 @@ class Page(unittest.TestCase):
         for change in ["panes[0].set({cells: 'slice'})", "panes[1].set({cells: 'boxes'})", "toggleKeys()", "slicePanel.set({share: 0.4})", "panes[0].set({cells: 'none'})", "toggleKeys()", "setCamera(state.camera)"]:
             self.js(change)
             time.sleep(0.4)
-            self.assertEqual(self.requests("/api/picture"), [], change)
+            self.assertEqual([url for url in self.requests() if "/api/picture" in url], [], change)
         self.assertTrue(self.js("return panes.every((pane) => pane.counts)"))
 
     def test_pictures_that_are_compared_have_one_size_and_one_angle(self):
@@ -1498,7 +1427,7 @@ class Page(unittest.TestCase):
             for grids in [f"{scene[1]},{scene[2]}", f"division-8,{scene[2]}"]:
                 self.show(width, 640, fragment=f"#grid={grids}&channel=shaded,cells")
                 self.assertEqual(*self.js("return panes.map((pane) => [pane.stage.clientHeight, pane.frame.view.camera.angle])"))
-                self.assertEqual([status.text.split()[0] for status in self.browser.find_elements(By.CSS_SELECTOR, ".picture .status")], ["sharp"] * 2)
+                self.assertEqual([status.text.split()[0] for status in self.find_all(".picture .status")], ["sharp"] * 2)
                 self.assertTrue(self.js("""return panes.every(({status}) => { const range = document.createRange(); range.setStart(status.firstChild, 0); range.setEnd(status.firstChild, 5);
                   return range.getBoundingClientRect().right < status.getBoundingClientRect().right - 12; })"""), "it isn't cut off")
 
@@ -1507,7 +1436,7 @@ class Page(unittest.TestCase):
         tools.run("nff2bin", "many.nff", "-o", "many.scene")
         tools.run("gridbuild", "many.scene", "-o", "many.grid", "--merge", "none", "--division", "96")
         grids = ["many.grid", tools.make_hierarchy("many.scene")]
-        with Gridview(tools, "many.scene", *grids, "-q") as server:
+        with self.serving("many.scene", *grids) as server:
             bounds = json.loads(server.get("/api/scene"))["scene"]["bounds"]
             for i, grid in enumerate(grids):
                 made = json.loads(server.get(f"/api/boxes?grid={i}"))
@@ -1532,12 +1461,10 @@ class Page(unittest.TestCase):
             draws = self.js("const before = draws; panes[0].picture.stillMsPerPixel = 1; setCamera(Camera.orbited(state.camera, 0.02, 0)); return before")
             self.wait_sharp()
             self.assertEqual(self.js("return draws") - draws, 1)
-            self.screenshot("many-boxes")
-            self.leave()
 
     def test_the_planes_first_ray_begins_in_a_cell(self):
         tools.run("gridbuild", scene[0], "-o", "even.grid", "--division", "32", "--merge", "none")
-        with Gridview(tools, scene[0], "even.grid", *scene[1:], "-q") as server:
+        with self.serving(scene[0], "even.grid", *scene[1:]) as server:
             for axis in "xyz":
                 self.show_plane(server, fragment=f"#view=plane&slice={axis},0.5")
                 ray, slice_ = self.js("return walkPanel.ray"), self.js("return planeView.slice")
@@ -1549,27 +1476,22 @@ class Page(unittest.TestCase):
                     numbers = [text for row in self.listed() for text in row[2:4]]
                     self.assertGreater(len(numbers), 1)
                     self.assertEqual([text for text in numbers if text.startswith("-")], [])
-            self.leave()
         (tools.folder / "corner.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
-        with Gridview(tools, "corner.obj", "-q") as server:  # its space begins a margin before 0
+        with self.serving("corner.obj") as server:  # its space begins a margin before 0
             for share, text in [(0, "x = 0 of 0 to 1.00"), (0.5, "x = 0.500 of 0 to 1.00")]:
                 self.show_plane(server, fragment=f"#view=plane&slice=x,{share}")
                 self.assertEqual(self.js("return slicePanel.position.textContent"), text)
-            self.leave()
 
     def test_four_structures_have_four_colors(self):
-        tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
-        with Gridview(tools, *scene, "balance.grid", tools.make_hierarchy(scene[0]), "-q") as server:
+        with self.serving(*scene, "balance.grid", hierarchy) as server:
             for dark in [False, True]:
                 self.show_plane(server, dark=dark)
                 self.js("document.getElementById('histogram-panel').open = true")
-                wait_until(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#histogram .key"), "the histogram")
+                wait_until(lambda: self.find_all("#histogram .key"), "the histogram")
                 keys, bars = self.js("return [[...document.querySelectorAll('#histogram .key')].map((key) => getComputedStyle(key, '::before').backgroundColor), "
                                      "[...new Set([...document.querySelectorAll('#histogram rect')].map((bar) => getComputedStyle(bar).fill))]]")
                 self.assertEqual(len(set(keys)), 4)
                 self.assertEqual(set(bars), set(keys))
-            self.screenshot("histogram")
-            self.leave()
 
     def test_contrast_of_hits_and_lines_and_room_for_controls(self):
         for dark in [False, True]:
@@ -1602,4 +1524,7 @@ if __name__ == "__main__":
         pictures = pathlib.Path(sys.argv.pop(1))
         pictures.mkdir(exist_ok=True)
     scene = tools.make_scene()
+    hierarchy = tools.make_hierarchy(scene[0])
+    structures = [*scene[1:], hierarchy]
+    tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
     unittest.main(verbosity=2)

@@ -6,8 +6,6 @@
 #include "libscene/file/scene_file.h"
 #include "stability/same_bits.h"
 
-#include <algorithm>
-
 namespace masu::stability {
 namespace {
 
@@ -77,16 +75,8 @@ void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
 
 void compare_backends(const Sweep& sweep, const RunSettings& settings,
                       const std::function<void(const Difference&)>& report) {
-  const auto rays =
-      std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
-  for (const double step : sweep.float32_steps) {
-    Chance chance = chance_for(settings.seed, sweep.name, step);
-    compare_step(sweep, sweep.float32(chance, step, rays), step, report);
-  }
-  for (const double step : sweep.float64_steps) {
-    Chance chance = chance_for(settings.seed, sweep.name, -step);
-    compare_step(sweep, sweep.float64(chance, step, rays), step, report);
-  }
+  for_each_trial(sweep, settings.rays, settings.seed,
+                 [&](const auto& trial, double step) { compare_step(sweep, trial, step, report); });
 }
 
 } // namespace masu::stability

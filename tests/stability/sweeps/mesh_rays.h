@@ -8,9 +8,8 @@ namespace masu::stability {
 
 template <class Stored>
 void add_mesh(TestScene<Stored>& scene, const Mesh<double>& mesh) {
-  const auto corner = [&](std::size_t i) { return cast<Stored>(mesh.corners[i]); };
   for (const auto& [a, b, c] : mesh.faces)
-    scene.triangles.push_back(triangle_of<Stored>(corner(a), corner(b), corner(c)));
+    scene.add(triangle_of<Stored>(mesh.corners[a], mesh.corners[b], mesh.corners[c]));
 }
 
 // From around the mesh's centre to its corners, as they are stored, and to points on its edges.

@@ -27,20 +27,9 @@ Scene on_a_floor(Chance& chance, double width) {
   return scene;
 }
 
-// Upright needles, up to a hundredth as wide as long, off the middle of a floor of size 2.
+// Up to a hundredth as wide as long.
 Scene needles(Chance& chance, double length) {
-  const Vec3d at{0.25, -0.125, 0};
-  Scene scene =
-      picture_scene(at + Vec3d{2.5, -4, 3} * length, at + Vec3d{0, 0, 0.4} * length, {1, 0.7, 1.5}, side);
-  add_quad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, picture_gray);
-  for (int i = 0; i < 400; ++i) {
-    const auto aside = [&](double by) {
-      return Vec3d{chance.uniform(-by, by), chance.uniform(-by, by), 0} * length;
-    };
-    const Vec3d base = at + aside(2), half = aside(0.005);
-    add_triangle(scene, base - half, base + half, base + aside(0.2) + Vec3d{0, 0, length}, picture_gray);
-  }
-  return scene;
+  return needles_on_floor(chance, length, side, [](const Vec3d& aside) { return aside * 0.005; });
 }
 
 // So many panes of glass, slightly turned, before a wall with balls on it.

@@ -29,9 +29,7 @@ Chance chance_for(std::uint64_t seed, std::string_view sweep, double parameter) 
   // FNV-1a.
   std::uint64_t hash = 0xcbf29ce484222325U ^ seed;
   const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 0x100000001b3U; };
-  for (const char c : sweep)
-    add(static_cast<unsigned char>(c));
-  for (const char c : std::to_string(std::bit_cast<std::uint64_t>(parameter)))
+  for (const char c : std::string(sweep) + std::to_string(std::bit_cast<std::uint64_t>(parameter)))
     add(static_cast<unsigned char>(c));
   return Chance(RandomSeed(hash));
 }
@@ -71,13 +69,12 @@ TestScene<Stored> random_scene(Chance& chance, const Vec3d& at, double size, Kin
   for (int i = 0; i < (kinds == Kinds::all ? 12 : 40); ++i) {
     const Vec3d around = place(0.6);
     const auto corner = [&] { return around + chance.in_cube(0.4 * size); };
-    scene.triangles.push_back(
-        triangle_of<Stored>(cast<Stored>(corner()), cast<Stored>(corner()), cast<Stored>(corner())));
+    scene.add(triangle_of<Stored>(corner(), corner(), corner()));
   }
   if (kinds == Kinds::triangles) return scene;
   for (int i = 0; i < 8; ++i) {
     const double radius = size * chance.uniform(0.05, 0.4);
-    scene.spheres.push_back(sphere_of<Stored>(place(0.6), chance.one_in(8) ? -radius : radius));
+    scene.add(sphere_of<Stored>(place(0.6), chance.one_in(8) ? -radius : radius));
   }
   for (int i = 0; i < 6; ++i) {
     const Vec3d base = place(0.6);

@@ -6,6 +6,7 @@
 #include "renderer/tracer/tracer.h"
 #include "stability/test_scene.h"
 
+#include <algorithm>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -93,6 +94,20 @@ std::vector<Sweep> store_sweeps(); // small parts, by the rule of the store
 // The random numbers of a step, independent of which other steps are run.
 Chance chance_for(std::uint64_t seed, std::string_view sweep, double parameter);
 
+// Calls act(trial, step) for every step and store, with so many rays times the sweep's share.
+template <class Act>
+void for_each_trial(const Sweep& sweep, std::size_t rays, std::uint64_t seed, const Act& act) {
+  const auto share = static_cast<std::size_t>(static_cast<double>(rays) * sweep.share);
+  const auto each = [&](const std::vector<double>& steps, auto make, double sign) {
+    for (const double step : steps) {
+      Chance chance = chance_for(seed, sweep.name, sign * step);
+      act(make(chance, step, std::max(std::size_t{1}, share)), step);
+    }
+  };
+  each(sweep.float32_steps, sweep.float32, 1);
+  each(sweep.float64_steps, sweep.float64, -1);
+}
+
 // --- Parts of trials ------------------------------------------------------------------------------------
 
 // From one point towards another, rounded to the store. The direction's largest component is between 1 and 2;
@@ -124,7 +139,7 @@ std::vector<Ray<double>> rays_around(Chance& chance, const Vec3d& at, double siz
 // Adds a cone unless rounding makes its length zero.
 template <class Stored>
 void add_cone(TestScene<Stored>& scene, const Cone<Stored>& cone) {
-  if (!(cone.base == cone.apex)) scene.cones.push_back(cone);
+  if (!(cone.base == cone.apex)) scene.add(cone);
 }
 
 } // namespace masu::stability

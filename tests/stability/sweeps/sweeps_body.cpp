@@ -43,14 +43,13 @@ Trial<Stored> in_a_scaled_mesh(Chance& chance, double parameter, std::size_t ray
 template <class Stored>
 Trial<Stored> bodies(Chance& chance, const Vec3d& at, double size, std::size_t rays) {
   Trial<Stored> trial;
-  const Mesh<double> box = cube();
   const auto place = [&](const Vec3d& v) { return at + v * size; };
-  for (const auto& [a, b, c] : box.faces) {
-    const auto corner = [&](std::size_t i) { return cast<Stored>(place(box.corners[i] * 0.3)); };
-    trial.scene.triangles.push_back(triangle_of<Stored>(corner(a), corner(b), corner(c)));
-  }
+  Mesh<double> box = cube();
+  for (Vec3d& corner : box.corners)
+    corner = place(corner * 0.3);
+  add_mesh(trial.scene, box);
   for (const double x : {-0.7, 0.7}) {
-    trial.scene.spheres.push_back(sphere_of<Stored>(place({x, 0, chance.uniform(-0.1, 0.1)}), 0.25 * size));
+    trial.scene.add(sphere_of<Stored>(place({x, 0, chance.uniform(-0.1, 0.1)}), 0.25 * size));
     add_cone(trial.scene,
              cone_of<Stored>(place({x / 2, 0.5, -0.2}), 0.15 * size,
                              place({x / 2, 0.8, chance.uniform(0.1, 0.3)}), (x < 0 ? 0.05 : 0.15) * size));
@@ -84,20 +83,18 @@ Trial<Stored> on_a_slab(Chance& chance, double width, double sine, std::size_t r
     for (const double side : {-1.0, 1.0}) {
       const Vec3d center = middle + half[axis] * side, a = half[(axis + 1) % 3], b = half[(axis + 2) % 3];
       const auto corner = [&](int i, int k) {
-        return cast<Stored>(center + a * (2.0 * i / squares - 1) + b * (2.0 * k / squares - 1));
+        return center + a * (2.0 * i / squares - 1) + b * (2.0 * k / squares - 1);
       };
       for (int i = 0; i < squares; ++i) {
         for (int k = 0; k < squares; ++k) {
-          trial.scene.triangles.push_back(
-              triangle_of<Stored>(corner(i, k), corner(i + 1, k), corner(i + 1, k + 1)));
-          trial.scene.triangles.push_back(
-              triangle_of<Stored>(corner(i, k), corner(i + 1, k + 1), corner(i, k + 1)));
+          trial.scene.add(triangle_of<Stored>(corner(i, k), corner(i + 1, k), corner(i + 1, k + 1)));
+          trial.scene.add(triangle_of<Stored>(corner(i, k), corner(i + 1, k + 1), corner(i, k + 1)));
         }
       }
     }
   }
   for (const double height : {0.55, 0.5, 0.3})
-    trial.scene.spheres.push_back(
+    trial.scene.add(
         sphere_of<Stored>(u * chance.uniform(-2, 2) + v * chance.uniform(-2, 2) + up * height, 0.5));
   for (std::size_t i = 0; i < rays; ++i) {
     const double reach = chance.one_in(2) ? 3 : width / 2;
@@ -124,9 +121,9 @@ template <class Stored>
 Trial<Stored> glass(Chance& chance, std::size_t rays) {
   Trial<Stored> trial = bodies<Stored>(chance, {0, 0, 0}, 1, 0);
   for (const double radius : {0.28, 0.2, 0.15, 0.1, 0.05})
-    trial.scene.spheres.push_back(sphere_of<Stored>({0, 0, 0}, radius));
+    trial.scene.add(sphere_of<Stored>({0, 0, 0}, radius));
   for (const double radius : {0.2, 0.1})
-    trial.scene.spheres.push_back(sphere_of<Stored>({0.7, 0, 0}, radius));
+    trial.scene.add(sphere_of<Stored>({0.7, 0, 0}, radius));
   for (std::size_t i = 0; i < rays; ++i)
     trial.rays.push_back(ray_towards<Stored>(chance.direction() * 3.0, chance.in_cube(0.5)));
   return trial;
@@ -155,7 +152,7 @@ Trial<Stored> refracted_by(Chance& chance, double index, double from_critical, s
   Trial<Stored> trial;
   trial.scene.material = {{0, 0, 0}, 0, 0, 1, 1, static_cast<float>(index)};
   const Vec3d up = chance.direction(), u = across(chance, up), v = cross(up, u);
-  const auto corner = [&](double x, double y) { return cast<Stored>(u * x + v * y); };
+  const auto corner = [&](double x, double y) { return u * x + v * y; };
   trial.scene.triangles = {triangle_of<Stored>(corner(-8, -8), corner(8, -8), corner(0, 8))};
   for (std::size_t i = 0; i < rays; ++i) {
     const double sine = std::min(0.9999, (1 + chance.sign() * from_critical) /

@@ -49,12 +49,11 @@ Trial<Stored> on_faces(Chance& chance, double parameter, std::size_t rays) {
     Vec3d a = corner(), b = corner(), c = corner();
     b.set(axis, a[axis]);
     c.set(axis, a[axis]);
-    scene.triangles.push_back(
-        triangle_of<Stored>(cast<Stored>(clamp(a)), cast<Stored>(clamp(b)), cast<Stored>(clamp(c))));
+    scene.add(triangle_of<Stored>(clamp(a), clamp(b), clamp(c)));
   }
   for (int i = 0; i < 4; ++i) {
     const Vec3d center = clamp(corner() * 0.5);
-    scene.spheres.push_back(sphere_of<Stored>(center, std::min(0.4, 2.0 / voxels)));
+    scene.add(sphere_of<Stored>(center, std::min(0.4, 2.0 / voxels)));
     Vec3d apex = center;
     const int axis = chance.whole(0, 2);
     apex.set(axis, clamp(corner())[axis]);
@@ -107,12 +106,12 @@ Trial<Stored> flattened(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   for (int i = 0; i < 30; ++i) {
     const Vec3d around = chance.in_cube(0.7);
-    const auto corner = [&] { return cast<Stored>((around + chance.in_cube(0.3)) * sides); };
-    const Vec3<Stored> a = corner(), b = corner(), c = corner();
-    trial.scene.triangles.push_back(triangle_of<Stored>(a, b, c));
+    const auto corner = [&] { return (around + chance.in_cube(0.3)) * sides; };
+    const Vec3d a = corner(), b = corner(), c = corner();
+    trial.scene.add(triangle_of<Stored>(a, b, c));
   }
   for (int i = 0; kinds == Kinds::all && i < 10; ++i)
-    trial.scene.spheres.push_back(sphere_of<Stored>(chance.in_cube(0.8) * sides, parameter * 0.2));
+    trial.scene.add(sphere_of<Stored>(chance.in_cube(0.8) * sides, parameter * 0.2));
   for (std::size_t i = 0; i < rays; ++i) {
     const Vec3d from = chance.in_cube(2) * sides;
     trial.rays.push_back(

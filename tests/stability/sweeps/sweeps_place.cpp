@@ -41,10 +41,9 @@ template <class Stored>
 Trial<Stored> ball_on_a_floor(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial = ball_from_afar<Stored>(chance, parameter, rays);
   const double far = 1.5 * parameter;
-  const auto corner = [](double x, double y, double z) { return cast<Stored>(Vec3d{x, y, z}); };
-  trial.scene.triangles = {
-      triangle_of<Stored>(corner(-far, -far, -2), corner(far, -far, -2), corner(0, far, -2)),
-      triangle_of<Stored>(corner(-far, -far, -2), corner(-far, -far, 2 * far), corner(0, -far, far))};
+  const Vec3d left{-far, -far, -2}, right{far, -far, -2}, top{-far, -far, 2 * far};
+  trial.scene.triangles = {triangle_of<Stored>(left, right, Vec3d{0, far, -2}),
+                           triangle_of<Stored>(left, top, Vec3d{0, -far, far})};
   return trial;
 }
 

@@ -10,7 +10,7 @@ namespace {
 // Behind the primitives, so that rays that miss them hit something.
 template <class Stored>
 void add_wall(TestScene<Stored>& scene) {
-  scene.triangles.push_back(triangle_of<Stored>({-4, -4, -1}, {4, -4, -1}, {0, 6, -1}));
+  scene.add(triangle_of<Stored>({-4, -4, -1}, {4, -4, -1}, {0, 6, -1}));
 }
 
 Vec3d eye(Chance& chance) {
@@ -31,8 +31,7 @@ Trial<Stored> needles(Chance& chance, double parameter, std::size_t rays) {
     needles.push_back({chance.in_cube(0.6), along, across(chance, along)});
     const auto& [from, to, side] = needles.back();
     const Vec3d tip = from + to, wide = from + to * chance.uniform(0, 1) + side * parameter;
-    trial.scene.triangles.push_back(
-        triangle_of<Stored>(cast<Stored>(from), cast<Stored>(tip), cast<Stored>(wide)));
+    trial.scene.add(triangle_of<Stored>(from, tip, wide));
   }
   for (std::size_t i = 0; i < rays; ++i) {
     const Needle& needle = needles[chance.index(needles.size())];
@@ -49,7 +48,7 @@ template <class Stored, Kinds kinds = Kinds::all>
 Trial<Stored> grazed(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   const Vec3d a{-1, -1, 0.125}, b{1, -0.75, 0}, c{0, 1, -0.0625};
-  trial.scene.triangles = {triangle_of<Stored>(cast<Stored>(a), cast<Stored>(b), cast<Stored>(c))};
+  trial.scene.triangles = {triangle_of<Stored>(a, b, c)};
   const Vec3d center{3, 0.25, 0.5}, base{-3, -1, 0}, axis{0.25, 2, 0.125};
   if (kinds == Kinds::all) {
     trial.scene.spheres = {sphere_of<Stored>(center, 1)};
@@ -157,9 +156,7 @@ Trial<Stored> duplicated(Chance& chance, double parameter, std::size_t rays) {
       primitives.insert(primitives.end(), once.begin(), once.end());
     std::shuffle(primitives.begin(), primitives.end(), chance.engine());
   };
-  multiply(trial.scene.triangles);
-  multiply(trial.scene.spheres);
-  multiply(trial.scene.cones);
+  for_each_kind(trial.scene, multiply);
   return trial;
 }
 

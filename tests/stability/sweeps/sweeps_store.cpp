@@ -7,16 +7,6 @@
 namespace masu::stability {
 namespace {
 
-template <class Stored>
-TestScene<Stored> stored(const TestScene<double>& scene) {
-  TestScene<Stored> result;
-  for (const Triangle<double>& t : scene.triangles)
-    result.triangles.push_back(triangle_of<Stored>(cast<Stored>(t.a), cast<Stored>(t.b), cast<Stored>(t.c)));
-  for (const Sphere<double>& s : scene.spheres)
-    result.spheres.push_back(sphere_of<Stored>(s.center, s.radius));
-  return result;
-}
-
 Vec3d middle_of(const Mesh<double>& mesh, const std::array<std::size_t, 3>& face) {
   return (mesh.corners[face[0]] + mesh.corners[face[1]] + mesh.corners[face[2]]) * (1.0 / 3);
 }
@@ -33,14 +23,14 @@ Trial<Stored> specks(Chance& chance, double parameter, std::size_t rays) {
     const Vec3d other = normalized(cross(at, side));
     const double half = parameter / 2;
     if (chance.one_in(3) && half > 0)
-      scene.spheres.push_back({at, half});
+      scene.add(Sphere<double>{at, half});
     else
-      scene.triangles.push_back(triangle_of<double>(at + side * half, at - side * half + other * (half / 2),
-                                                    at - side * (half / 2) - other * half));
+      scene.add(triangle_of(at + side * half, at - side * half + other * (half / 2),
+                            at - side * (half / 2) - other * half));
     places.push_back(at);
   }
   add_mesh(scene, octahedron(chance, 2, 0.1));
-  Trial<Stored> trial{stored<Stored>(scene), {}};
+  Trial<Stored> trial{converted<Stored>(scene), {}};
   for (std::size_t i = 0; i < rays; ++i) {
     const Vec3d& at = places[chance.index(places.size())];
     const Vec3d target = at + chance.in_cube(parameter * chance.one_of({0.1, 0.2, 1.0}));
@@ -116,7 +106,7 @@ template <class Stored>
 Trial<Stored> trial_of(const Mesh<double>& mesh) {
   TestScene<double> scene;
   add_mesh(scene, mesh);
-  Trial<Stored> trial{stored<Stored>(scene), {}};
+  Trial<Stored> trial{converted<Stored>(scene), {}};
   trial.original = std::move(scene);
   return trial;
 }
