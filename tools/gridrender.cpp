@@ -8,6 +8,7 @@
 #include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/render/channel_files.h"
+#include "tools/render/frame_options.h"
 #include "tools/render/render_views.h"
 #include "tools/render/views.h"
 

@@ -8,6 +8,7 @@
 #include "tools/jobs/parted_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/lists/ray_list.h"
+#include "tools/render/frame_options.h"
 #include "tools/report/walk_text.h"
 
 #include <set>
