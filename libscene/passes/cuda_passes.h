@@ -64,6 +64,9 @@ struct WarpTile : SharedByThreads<false> {
       bits |= __shfl_xor_sync(all(), bits, static_cast<int>(apart));
     return bits;
   }
+  __device__ std::uint32_t ballot(bool is) const {
+    return __ballot_sync(all(), is) >> threadIdx.x % 32 / width * width;
+  }
   template <class Candidate>
   __device__ Candidate first_of_all(Candidate first) const {
     for (unsigned apart = width / 2; apart > 0; apart /= 2) {
@@ -111,6 +114,20 @@ struct ThreadBlock : SharedByThreads<true> {
     if (threadIdx.x % 32 == 0) atomicAdd(&total, static_cast<unsigned long long>(own));
     __syncthreads();
     return total;
+  }
+  __device__ std::uint32_t sum_of_warps_before(std::uint32_t of_warp, std::uint32_t& all) const {
+    constexpr unsigned warp = 32;
+    __shared__ std::uint32_t of_warps[warp];
+    __syncthreads(); // the last call's have been read
+    if (threadIdx.x % warp == 0) of_warps[threadIdx.x / warp] = of_warp;
+    __syncthreads();
+    std::uint32_t before = 0;
+    all = 0;
+    for (unsigned k = 0; k < blockDim.x / warp; ++k) {
+      if (k == threadIdx.x / warp) before = all;
+      all += of_warps[k];
+    }
+    return before;
   }
   __device__ std::uint32_t all_bits(std::uint32_t bits) const {
     __shared__ std::uint32_t together;

@@ -25,6 +25,14 @@ struct SingleThread {
   MASU_HD void join(Boxf& box, const Boxf& other) const { box = masu::join(box, other); }
   // Reductions over all threads, the result for each of them.
   MASU_HD std::uint64_t sum(std::uint64_t value) const { return value; }
+  // Of a block: what its warps' values add up to, each one's the same for its threads: those before this
+  // thread's, and `all`.
+  MASU_HD std::uint32_t sum_of_warps_before(std::uint32_t of_warp, std::uint32_t& all) const {
+    all = of_warp;
+    return 0;
+  }
+  // Of a tile: a bit for each thread, the lowest for the first.
+  MASU_HD std::uint32_t ballot(bool is) const { return is ? 1 : 0; }
   MASU_HD std::uint32_t all_bits(std::uint32_t bits) const { return bits; }
   // Of all threads' candidates the one that comes before all others, for the first thread.
   template <class Candidate>

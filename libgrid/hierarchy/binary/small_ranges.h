@@ -135,7 +135,7 @@ private:
       const std::uint32_t i = chunk + tile.thread_rank();
       const bool is_one = i < count, is_left = is_one && split.is_left(leaf(scratch, first + i));
       const std::uint16_t own = is_one ? scratch.order[first + i] : std::uint16_t{0};
-      const std::uint32_t lefts = tile.all_bits(is_left ? 1U << tile.thread_rank() : 0U),
+      const std::uint32_t lefts = tile.ballot(is_left),
                           left_before = left + count_bits(lefts & ((1U << tile.thread_rank()) - 1));
       tile.sync(); // all have read what is written over
       if (is_one)

@@ -58,26 +58,6 @@ struct LeafOrder {
   ArrayOf<Executor, std::uint32_t> leaves{}, ranges{};
 };
 
-// Numbers ranges as they are made, in any order: nothing depends on it.
-struct RangeNumbers {
-  SmallRange* small;     // the small ones of all levels,
-  std::uint32_t* counts; // and how many they are; then of each depth how many ranges
-
-  MASU_HD static std::uint32_t place(std::uint32_t depth) { return 1 + depth; }
-  // Of a range of that depth; two of the next one where it is large.
-  MASU_HD LeafRange numbered(std::uint32_t first, std::uint32_t count, std::uint32_t room, bool is_right,
-                             std::uint32_t depth) const {
-    LeafRange range{first, count, room, is_right ? 1U : 0U, 0};
-    if (range.is_small()) {
-      range.number_there = added(counts[0], 1);
-      small[range.number_there] = {first, count, room, range.is_right, depth};
-    } else {
-      range.number_there = added(counts[place(depth + 1)], 2);
-    }
-    return range;
-  }
-};
-
 // Divides what is large at the planes that ranges of a level are split at: of each range the first leaves
 // that are, as long as there is room. What lies below stays in its place, what lies above comes after the
 // range's others. `leaf`: all, and places for more.
@@ -116,7 +96,7 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
                                  const TrianglesOfEither& triangle, std::uint32_t depth,
                                  RangeLevel<Executor>& level, LeafOrder<Executor>& order,
                                  LeafOrder<Executor>& next, const RangeNumbers& numbers,
-                                 const ArrayOf<Executor, std::uint32_t>& counts) {
+                                 const ArrayOf<Executor, std::uint32_t>& counts, bool by_blocks) {
   const std::uint64_t range_count = level.ranges.size(), count = order.leaves.size();
   const LeafRange* const range = level.ranges.data();
   const LevelCount ranges_there = level.count;
@@ -135,6 +115,13 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
   LeafSplit* const split = splits.data();
   const SplitRanges split_ranges{
       leaf, ordered_leaf, range, ranges_there, space, split, most_leaves_split(depth)};
+  const RangesBelow to{below.ranges.data(), below.spaces.data(), level.pairs.data(), numbers, depth + 1};
+  if (by_blocks) {
+    executor.for_each_by_group(range_count,
+                               SortRanges{split_ranges, order.leaves.data(), next.leaves.data(), to});
+    level.spaces = {};
+    return below;
+  }
   executor.for_each_by_group(range_count, split_ranges);
   if (large.room > 0) {
     auto at_plane = executor.template array<std::uint32_t>(range_count);
@@ -147,24 +134,11 @@ RangeLevel<Executor> split_level(Executor& executor, BinaryNode* leaf, const Lar
     return own != no_range && split[own].is_left(leaf[ordered_leaf[i]]);
   });
   const std::uint32_t* const left_before = left_sums.data();
-  LeafRange* const child = below.ranges.data();
-  executor.for_each(range_count, [=, pair = level.pairs.data(),
-                                  child_space = below.spaces.data()] MASU_PASS(std::uint64_t i) {
+  const LeafRange* const child = below.ranges.data();
+  executor.for_each(range_count, [=] MASU_PASS(std::uint64_t i) {
     if (i >= ranges_there() || range[i].is_small()) return;
-    const std::uint32_t first = range[i].first, in_range = range[i].count, room = range[i].room;
-    std::uint32_t left = left_before[first + in_range] - left_before[first];
-    if (left == 0 || left == in_range) {
-      split[i].axis = -1;
-      left = in_range / 2;
-    }
-    const std::uint32_t left_room = room_of_left(room, left, in_range), right = first + left + left_room;
-    pair[i] = 2 * right;
-    const std::uint32_t at = range[i].number_there;
-    child[at] = numbers.numbered(first, left, left_room, false, depth + 1);
-    child[at + 1] = numbers.numbered(right, in_range - left, room - left_room, true, depth + 1);
-    const SplitSpaces spaces(space[i], split[i]);
-    child_space[at] = spaces.left;
-    child_space[at + 1] = spaces.right;
+    const std::uint32_t first = range[i].first, end = first + range[i].count;
+    to.put(i, range[i], left_before[end] - left_before[first], space[i], split[i]);
   });
   executor.for_each(count, [=, next_leaf = next.leaves.data(),
                             next_range_of = next.ranges.data()] MASU_PASS(std::uint64_t i) {
@@ -227,8 +201,9 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, HierarchyLeaves
   });
   // Each small range is a part of one that isn't, of which no level has more than fit into all leaves.
   auto small = executor.template array<SmallRange>(2 * (max_hierarchy_depth * count / most_in_small + 1));
-  auto counts = executor.template zeros<std::uint32_t>(max_hierarchy_depth + 3);
-  const RangeNumbers numbers{small.data(), counts.data()};
+  constexpr std::uint32_t depths = max_hierarchy_depth + 3;
+  auto counts = executor.template zeros<std::uint32_t>(2 * depths);
+  const RangeNumbers numbers{small.data(), counts.data(), counts.data() + depths};
   RangeLevel<Executor> next{
       {1, nullptr}, executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
   executor.for_each(1, [=, all = next.ranges.data(), space = next.spaces.data(), room = large.room,
@@ -237,11 +212,14 @@ BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, HierarchyLeaves
     *space = centres;
   });
   std::vector<RangeLevel<Executor>> levels;
+  bool by_blocks = large.room == 0 && count <= most_sorted_by_block;
   while (next.ranges.size() > 0) {
     const auto depth = static_cast<std::uint32_t>(levels.size());
+    if (!by_blocks && large.room == 0 && 2 * (count >> depth) <= most_sorted_by_block)
+      by_blocks = executor.value(counts, depths + depth) <= most_sorted_by_block;
     levels.push_back(std::move(next));
     next = split_level(executor, leaf, large, triangle, depth, levels.back(), order, next_order, numbers,
-                       counts);
+                       counts, by_blocks);
   }
   next_order = {};
   const std::uint32_t small_count = executor.value(counts, 0);
