@@ -6,7 +6,6 @@
 #include "libscene/mesh/indexed_mesh.h"
 #include "libscene/scene_bounds.h"
 
-#include <tbb/combinable.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -21,26 +20,18 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-template <class Part, class Records, class Act>
-__attribute__((flatten)) void gather(const Records& records, std::size_t begin, std::size_t end, Part& part,
-                                     const Act& act) {
-  for (std::size_t i = begin; i != end; ++i)
-    act(records[i], part, i);
-}
-
-// Calls act(record, part, index) for every record, in parallel, and joins the threads' parts by `+=`.
+// Calls act(record, part, index) for every record, in parallel, and joins the parts by `+=`.
 template <class Part, class Records, class Act>
 Part gathered(const Records& records, const ProgressMonitor* progress, const Act& act) {
-  tbb::combinable<Part> parts;
-  parallel_ranges(records.size(), grain, [&](std::size_t begin, std::size_t end) {
-    Part part;
+  const auto of_range = [&](std::size_t begin, std::size_t end) __attribute__((flatten)) {
     check_progress(progress);
-    gather(records, begin, end, part, act);
-    parts.local() += part;
-  });
-  Part total;
-  parts.combine_each([&](const Part& part) { total += part; });
-  return total;
+    Part part;
+    for (std::size_t i = begin; i != end; ++i)
+      act(records[i], part, i);
+    return part;
+  };
+  return parallel_reduce(records.size(), grain, Part{}, of_range,
+                         [](Part& all, const Part& part) { return std::move(all += part); });
 }
 
 template <class T>

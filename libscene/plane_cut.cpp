@@ -21,7 +21,14 @@ int chords_for(double radius, double deviation) {
 class Section {
 public:
   explicit Section(const PlaneCut& options)
-      : options_(options), u_(options.axis == 0 ? 1 : 0), v_(options.axis == 2 ? 1 : 2) {}
+      : options_(options), u_(options.axis == 0 ? 1 : 0),
+        v_(options.axis == 2 ? 1 : 2), origin_{options.origin[u_], options.origin[v_]} {
+    options_.position -= options.origin[options.axis];
+    for (std::size_t i = 0; i < 2; ++i) {
+      options_.min[i] -= origin_[i];
+      options_.max[i] -= origin_[i];
+    }
+  }
 
   template <class Primitive>
   void add(const Primitive& primitive, PrimitiveIndex index) {
@@ -42,7 +49,8 @@ private:
 
   Point in_plane(const Vec3d& p) const { return {p[u_], p[v_]}; }
   void segment(const Point& from, const Point& to) {
-    if (from != to) segments.push_back({from, to, primitive_});
+    const auto in_world = [&](const Point& p) { return Point{p[0] + origin_[0], p[1] + origin_[1]}; };
+    if (from != to) segments.push_back({in_world(from), in_world(to), primitive_});
   }
 
   void cut(const Triangle<double>& triangle) {
@@ -198,8 +206,9 @@ private:
     });
   }
 
-  const PlaneCut& options_;
+  PlaneCut options_; // relative to the origin
   int u_, v_;
+  Point origin_;
   PrimitiveIndex primitive_ = no_primitive;
 };
 
@@ -207,23 +216,9 @@ private:
 
 template <class Stored>
 std::vector<CutSegment> plane_cut_of(const SceneView<Stored>& scene, const PlaneCut& options) {
-  const std::array<double, 2> origin{options.origin[options.axis == 0 ? 1 : 0],
-                                     options.origin[options.axis == 2 ? 1 : 2]};
-  PlaneCut local = options;
-  local.position -= options.origin[options.axis];
-  for (std::size_t i = 0; i < 2; ++i) {
-    local.min[i] -= origin[i];
-    local.max[i] -= origin[i];
-  }
-  Section section(local);
+  Section section(options);
   for (PrimitiveIndex i = 0; i < scene.primitive_count(); ++i)
     with_primitive(scene, i, [&](const auto& primitive) { section.add(primitive, i); });
-  for (CutSegment& segment : section.segments) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      segment.from[i] += origin[i];
-      segment.to[i] += origin[i];
-    }
-  }
   return std::move(section.segments);
 }
 template std::vector<CutSegment> plane_cut_of(const SceneView<float>&, const PlaneCut&);

@@ -54,11 +54,6 @@ struct SceneCounts {
   std::uint64_t objects, normals, materials;
 };
 
-template <class Stored>
-std::uint32_t triangle_count(const SceneView<Stored>& scene) {
-  return scene.triangle_count;
-}
-
 // Calls act(the primitive of this index, in double).
 template <class Stored, class Act>
 MASU_HD void with_primitive(const SceneView<Stored>& scene, PrimitiveIndex index, const Act& act) {

@@ -78,8 +78,8 @@ void build(const Settings& settings, const SceneFile& file) {
   } else {
     const Vec3i n = grid.layout.division;
     const bool is_uniform = grid.kind == StructureKind::uniform;
-    const GridStatistics counted = is_uniform ? grid_statistics(view_of<double>(grid), grid.references)
-                                              : grid_statistics(merged_view_of<double>(grid), grid.cells);
+    const GridStatistics counted =
+        grid_statistics(is_uniform ? voxel_count(n) : grid.cells.size(), grid.references);
     json = {{"division", {n.x, n.y, n.z}},
             {"occupied_cells", counted.occupied_cells},
             {"references", grid.references.size()}};

@@ -84,35 +84,27 @@ std::vector<View> views_of(const Settings& settings, const SceneFile& scene) {
   return settings.turntable > 0 ? turntable(camera, settings.turntable) : std::vector<View>{{"0", camera}};
 }
 
-// Throws Error(usage) where a file of a channel is an input, a picture or another output.
-void check_channel_files(const Settings& settings, const std::vector<std::string>& pictures) {
-  if (settings.channels.empty()) return;
+// Throws Error(usage) where a file is an input or would be written twice.
+std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View>& views,
+                                const Ranks& ranks) {
   const TracingOptions& tracing = settings.tracing;
-  std::unordered_set<std::string> names(pictures.begin(), pictures.end());
-  for (const std::string& picture : pictures) {
-    std::vector<std::string> written{settings.hits, tracing.stats, tracing.times};
-    for (const Channel channel : parse_channels(settings.channels)) {
-      const ChannelFiles files = channel_files(picture, channel, settings.channel_format);
-      for (const std::string& file : {files.values, files.picture}) {
+  const auto pictures = file_names(settings.output, views), hits = file_names(settings.hits, views);
+  const auto channels =
+      settings.channels.empty() ? std::vector<Channel>{} : parse_channels(settings.channels);
+  std::unordered_set<std::string> names(pictures.begin(), pictures.end()); // and of channels' files
+  std::vector<ViewFiles> files;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    files.push_back({settings.no_picture ? "" : pictures[i], hits[i]});
+    std::vector<std::string> written{pictures[i], hits[i], tracing.stats, tracing.times};
+    for (const Channel channel : channels) {
+      const ChannelFiles of_channel = channel_files(pictures[i], channel, settings.channel_format);
+      for (const std::string& file : {of_channel.values, of_channel.picture}) {
         if (!names.insert(file).second)
           throw Error(ErrorCode::usage, file, "would be written twice: give the pictures other names");
         written.push_back(file);
       }
     }
     check_files({tracing.scene, tracing.grid, settings.views}, written);
-  }
-}
-
-std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View>& views,
-                                const Ranks& ranks) {
-  const TracingOptions& tracing = settings.tracing;
-  const auto pictures = file_names(settings.output, views), hits = file_names(settings.hits, views);
-  check_channel_files(settings, pictures);
-  std::vector<ViewFiles> files;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    files.push_back({settings.no_picture ? "" : pictures[i], hits[i]});
-    check_files({tracing.scene, tracing.grid, settings.views},
-                {pictures[i], hits[i], tracing.stats, tracing.times});
     if (ranks.count() == 1 && !tracing.resume) continue;
     for (const std::string& name : {files[i].picture, files[i].hits})
       if (!name.empty()) check_is_file(name);

@@ -228,7 +228,7 @@ void add_list_options(const CommandLine& command, Settings& settings) {
           "--ray-numbers", settings.list.format.numbers,
           "numbers per ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
           "tmax)")
-      .among(std::set<int>{6, 8})
+      .among({"6", "8"})
       .shows_default();
   command.add_choice("--ray-store", settings.ray_store,
                      {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},

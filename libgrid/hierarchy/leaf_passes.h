@@ -178,7 +178,7 @@ HierarchyLeaves<Executor> hierarchy_leaves(Executor& executor, const Scene& scen
   HierarchyLeaves<Executor> made{std::move(sorted->values)};
   if (sum.area > least_spread * mean_width * sum.width) {
     const double width = large_width * mean_width;
-    made.large = {layout.margin, static_cast<float>(width * width), triangle_count(scene),
+    made.large = {layout.margin, static_cast<float>(width * width), scene.triangle_count,
                   static_cast<std::uint32_t>(spare_parts * static_cast<double>(made.leaves.size()))};
   }
   return made;

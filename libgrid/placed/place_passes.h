@@ -86,15 +86,18 @@ ArrayOf<Executor, std::uint32_t> last_moves(const Executor& executor, const Plac
   return last;
 }
 
-// Of placements, before they are known to be sound.
+// Of placements: before they are known to be sound, and once they are padded and searched.
 template <class Stored>
 struct PlacedSurvey {
-  Box<Stored> around = empty_box<Stored>(), known = empty_box<Stored>(); // boxes; triangles that reach far
+  Box<Stored> around = empty_box<Stored>();    // boxes
+  Box<Stored> triangles = empty_box<Stored>(); // those that reach far; in the end all
   std::uint32_t first_singular = no_primitive;
+  std::uint32_t first_far = no_primitive; // that is too large for the others' reach
 };
 template <class Stored>
 MASU_HD inline PlacedSurvey<Stored> join(const PlacedSurvey<Stored>& a, const PlacedSurvey<Stored>& b) {
-  return {join(a.around, b.around), join(a.known, b.known), min(a.first_singular, b.first_singular)};
+  return {join(a.around, b.around), join(a.triangles, b.triangles), min(a.first_singular, b.first_singular),
+          min(a.first_far, b.first_far)};
 }
 // Inverts placement i where it is now, and looks at it.
 template <class Stored>
@@ -122,7 +125,7 @@ struct InvertPlacement {
     survey.around = placed_box(placement, mesh.box);
     for (const std::uint32_t leaf : mesh.extremes) {
       const Triangle<Stored> triangle = placed_surface(placement, parts.of_meshes.leaves[leaf].record);
-      if (has_surface(triangle)) survey.known = join(survey.known, bounds(triangle));
+      if (has_surface(triangle)) survey.triangles = join(survey.triangles, bounds(triangle));
     }
     return survey;
   }
@@ -157,24 +160,51 @@ MASU_HD inline Boxd around_triangles(const PlacedParts<Stored>& parts, const Box
   return join(join(around, point), parts.beside_bounds);
 }
 
-// Pads placement i, and lists those whose box reaches beyond the triangles that are known.
+// Items of the upper hierarchies: placements, and after them what stands beside them; made ready, by their
+// places in the order, of a world and along the curve.
 template <class Stored>
-struct PadPlacement {
+struct PlacedItems {
   PlacedParts<Stored> parts;
   const PlacedSurvey<Stored>* survey;
   Placement<Stored>* placements;
-  std::uint32_t *listed, *listed_count;
+  std::uint32_t *listed, *listed_count; // whose box reaches beyond the triangles that are known
+  std::uint32_t* arrivals;              // become 0 (upper_passes.h)
 
-  MASU_HD void operator()(std::uint64_t index) const {
-    const auto i = static_cast<std::uint32_t>(index);
+  // With the margin of the placements' boxes, which contain what is traced: its own bounds are found later.
+  MASU_HD Boxf box(std::uint32_t item) const {
+    const double margin =
+        rounding_margin<Stored>(around_triangles(parts, survey->triangles, cast<double>(survey->around)));
+    if (item >= parts.count) return box_of_primitive(parts.beside, item - parts.count, margin);
+    return box_around(cast<double>(placed_box(placements[item], parts.meshes[parts.mesh[item]].box)), margin);
+  }
+  MASU_HD HierarchyNode node(std::uint32_t item) const {
+    return item_node(item, item < parts.count ? placements + item : nullptr);
+  }
+  // What holds nothing comes after all groups.
+  MASU_HD std::uint64_t operator()(std::uint64_t i) const {
+    const auto item = static_cast<std::uint32_t>(i);
+    const bool is_placement = item < parts.count;
+    arrivals[i] = 0;
+    if (is_placement) make_ready(item);
+    if (is_placement && is_empty(parts.meshes[parts.mesh[item]].box))
+      return std::uint64_t{parts.world_count + 1} << code_bits;
+    const std::uint32_t world = is_placement ? parts.world[item] : every_world;
+    const std::uint64_t group = world == every_world ? parts.world_count : world;
+    const MortonCurve curve(padded_bounds<Stored>(around_all(parts, *survey)));
+    return group << code_bits | curve.code(box(item), code_bits);
+  }
+
+private:
+  // Pads placement i, and lists it if it is to be searched.
+  MASU_HD void make_ready(std::uint32_t i) const {
     const PlacedMesh<Stored>& mesh = parts.meshes[parts.mesh[i]];
     if (survey->first_singular != no_primitive || is_empty(mesh.box)) return;
     const double reach = largest_magnitude(padded_bounds<Stored>(around_all(parts, *survey)));
-    const Boxd box = cast<double>(mesh.box);
-    const Vec3d low = magnitudes(box.min), high = magnitudes(box.max);
+    const Boxd own = cast<double>(mesh.box);
+    const Vec3d low = magnitudes(own.min), high = magnitudes(own.max);
     const Vec3d extent{max(low.x, high.x), max(low.y, high.y), max(low.z, high.z)};
     if (!pad(extent, reach, placements[i])) return;
-    if (reach_beyond(survey->known, placed_box(placements[i], mesh.box)) > 0)
+    if (reach_beyond(survey->triangles, placed_box(placements[i], mesh.box)) > 0)
       listed[added(*listed_count, 1)] = i;
   }
 };
@@ -185,79 +215,32 @@ template <class Stored>
 struct SearchListed {
   using Scratch = typename BoundsSearch<Stored>::Scratch;
   static constexpr unsigned threads = BoundsSearch<Stored>::most_nodes * boxes_per_node;
-  PlacedParts<Stored> parts;
-  const PlacedSurvey<Stored>* survey;
-  const Placement<Stored>* placements;
-  const std::uint32_t *listed, *listed_count;
+  PlacedItems<Stored> items;
   Box<Stored>* bounds;
   std::uint32_t groups;
 
   template <class Group>
   MASU_HD void operator()(const Group& group, Scratch& scratch, std::uint64_t i) const {
-    for (; i < *listed_count; i += groups) {
-      BoundsSearch<Stored> search{parts.of_meshes, placements[listed[i]], survey->known};
+    for (; i < *items.listed_count; i += groups) {
+      BoundsSearch<Stored> search{items.parts.of_meshes, items.placements[items.listed[i]],
+                                  items.survey->triangles};
       search.run(group, scratch);
       if (group.thread_rank() == 0) bounds[i] = search.bounds;
     }
   }
 };
 
-// All placements together, once they are padded and searched.
-template <class Stored>
-struct PlacedFindings {
-  PlacedSurvey<Stored> survey{};
-  std::uint32_t first_far = no_primitive;      // that is too large for the others' reach
-  Box<Stored> triangles = empty_box<Stored>(); // their bounds
-};
-template <class Stored>
-MASU_HD inline PlacedFindings<Stored> join(const PlacedFindings<Stored>& a, const PlacedFindings<Stored>& b) {
-  return {join(a.survey, b.survey), min(a.first_far, b.first_far), join(a.triangles, b.triangles)};
-}
-// Items of the upper hierarchies: made ready, by their places in the order, of a world and along the curve.
-template <class Stored>
-struct UpperItems {
-  PadPlacement<Stored> pad;
-  std::uint32_t* arrivals; // become 0 (upper_passes.h)
-
-  // With the margin of the placements' boxes, which contain what is traced: its own bounds are found later.
-  MASU_HD Boxf box(std::uint32_t item) const {
-    const PlacedParts<Stored>& parts = pad.parts;
-    const double margin =
-        rounding_margin<Stored>(around_triangles(parts, pad.survey->known, cast<double>(pad.survey->around)));
-    if (item >= parts.count) return box_of_primitive(parts.beside, item - parts.count, margin);
-    return box_around(cast<double>(placed_box(pad.placements[item], parts.meshes[parts.mesh[item]].box)),
-                      margin);
-  }
-  MASU_HD HierarchyNode node(std::uint32_t item) const {
-    return item_node(item, item < pad.parts.count ? pad.placements + item : nullptr);
-  }
-  // What holds nothing comes after all groups.
-  MASU_HD std::uint64_t operator()(std::uint64_t i) const {
-    const PlacedParts<Stored>& parts = pad.parts;
-    const auto item = static_cast<std::uint32_t>(i);
-    const bool is_placement = item < parts.count;
-    arrivals[i] = 0;
-    if (is_placement) pad(item);
-    if (is_placement && is_empty(parts.meshes[parts.mesh[item]].box))
-      return std::uint64_t{parts.world_count + 1} << code_bits;
-    const std::uint32_t world = is_placement ? parts.world[item] : every_world;
-    const std::uint64_t group = world == every_world ? parts.world_count : world;
-    const MortonCurve curve(padded_bounds<Stored>(around_all(parts, *pad.survey)));
-    return group << code_bits | curve.code(box(item), code_bits);
-  }
-};
-
 // Of what is traced. Throws Error(usage, "placements", …) for a transform that has no inverse or isn't
 // finite, and for what reaches farther than the store or a hierarchy holds.
 template <class Stored>
-Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedFindings<Stored>& found) {
-  if (const std::uint32_t singular = found.survey.first_singular; singular != no_primitive)
+Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedSurvey<Stored>& found) {
+  if (const std::uint32_t singular = found.first_singular; singular != no_primitive)
     fail("placements", "number " + std::to_string(singular) + " " + not_invertible);
   const auto check_reach = [&](const Boxd& box) {
     if (!reaches_within<Stored>(box) || largest_magnitude(padded_bounds<Stored>(box)) > max_hierarchy_reach)
       fail("placements", "reach farther from the scene's origin than its store or a hierarchy holds");
   };
-  const Boxd around = around_all(parts, found.survey);
+  const Boxd around = around_all(parts, found);
   if (!is_empty(around) && largest_magnitude(around) > 2 * max_hierarchy_reach) check_reach(around);
   if (found.first_far != no_primitive)
     fail("placements", "number " + std::to_string(found.first_far) +
@@ -267,21 +250,19 @@ Boxd checked_bounds(const PlacedParts<Stored>& parts, const PlacedFindings<Store
   return bounds;
 }
 
-// `listed`: placements that PadPlacement listed.
+// The survey of what is made ready.
 template <class Executor, class Stored>
-ArrayOf<Executor, PlacedFindings<Stored>>
-searched(const Executor& executor, const PlacedParts<Stored>& parts, const PlacedSurvey<Stored>* survey,
-         const Placement<Stored>* placements, const std::uint32_t* listed,
-         const std::uint32_t* listed_count) {
-  auto bounds_there = executor.template array<Box<Stored>>(parts.count);
+ArrayOf<Executor, PlacedSurvey<Stored>> searched(const Executor& executor, const PlacedItems<Stored>& items) {
+  const std::uint32_t count = items.parts.count;
+  auto bounds_there = executor.template array<Box<Stored>>(count);
   Box<Stored>* const bounds = bounds_there.data();
-  const std::uint32_t groups = min(parts.count, 4096U); // fill any device; few are listed
-  executor.for_each_by_group(
-      groups, SearchListed<Stored>{parts, survey, placements, listed, listed_count, bounds, groups});
-  return executor.template joined<PlacedFindings<Stored>>(parts.count, [=] MASU_PASS(std::uint64_t i) {
-    const bool is_far = placements[i].padding == too_far;
-    return PlacedFindings<Stored>{*survey, is_far ? static_cast<std::uint32_t>(i) : no_primitive,
-                                  i < *listed_count ? bounds[i] : survey->known};
+  const std::uint32_t groups = min(count, 4096U); // fill any device; few are listed
+  executor.for_each_by_group(groups, SearchListed<Stored>{items, bounds, groups});
+  return executor.template joined<PlacedSurvey<Stored>>(count, [=] MASU_PASS(std::uint64_t i) {
+    PlacedSurvey<Stored> found = *items.survey;
+    if (items.placements[i].padding == too_far) found.first_far = static_cast<std::uint32_t>(i);
+    if (i < *items.listed_count) found.triangles = bounds[i];
+    return found;
   });
 }
 
@@ -295,29 +276,28 @@ PlacedArrays<Executor, Stored> placed(const Executor& executor, const PlacedPart
   PlacedArrays<Executor, Stored> made{parts, executor.template array<Transform>(parts.count),
                                       executor.template array<Placement<Stored>>(parts.count)};
   Placement<Stored>* const placements = made.placements.data();
-  auto listed_there = executor.template array<std::uint32_t>(parts.count);
-  auto listed_count_there = executor.template zeros<std::uint32_t>(1);
-  std::uint32_t *const listed = listed_there.data(), *const listed_count = listed_count_there.data();
-  const auto survey_there = executor.template joined<PlacedSurvey<Stored>>(
+  auto listed = executor.template array<std::uint32_t>(parts.count);
+  auto listed_count = executor.template zeros<std::uint32_t>(1);
+  const auto survey = executor.template joined<PlacedSurvey<Stored>>(
       parts.count,
       InvertPlacement<Stored>{parts, placements, moves, last.data(), before, made.transforms.data()});
-  const PlacedSurvey<Stored>* const survey = survey_there.data();
 
-  const std::uint64_t items =
+  const std::uint64_t count =
       parts.count + parts.beside.sphere_count + std::uint64_t{parts.beside.cone_count};
   const std::uint32_t worlds = parts.world_count + 1;
-  auto arrivals = executor.template array<std::uint32_t>(items);
-  const UpperItems<Stored> upper{{parts, survey, placements, listed, listed_count}, arrivals.data()};
-  auto sorted = executor.sorted(items, static_cast<int>(std::bit_width(worlds)) + code_bits, upper);
+  auto arrivals = executor.template array<std::uint32_t>(count);
+  const PlacedItems<Stored> items{parts,         survey.data(),       placements,
+                                  listed.data(), listed_count.data(), arrivals.data()};
+  auto sorted = executor.sorted(count, static_cast<int>(std::bit_width(worlds)) + code_bits, items);
 
   const Executor& beside = executor.beside();
-  ArrayOf<Executor, PlacedFindings<Stored>> found;
+  ArrayOf<Executor, PlacedSurvey<Stored>> found;
   const auto check = [&] { made.bounds = checked_bounds(parts, beside.value(found, 0)); };
   try {
-    found = searched(beside, parts, survey, placements, listed, listed_count);
+    found = searched(beside, items);
     if constexpr (!Executor::has_warps) check();
     std::tie(made.upper_nodes, made.roots) =
-        upper_hierarchies(executor, sorted, arrivals.data(), worlds, upper);
+        upper_hierarchies(executor, sorted, arrivals.data(), worlds, items);
   } catch (...) {
     beside.wait(); // before what it reads is given back
     throw;

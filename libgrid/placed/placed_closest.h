@@ -48,65 +48,59 @@ struct PlacedMeshSearch {
   }
 };
 
-// Of all, shown the items of the hierarchies above them.
+// Of an item of the hierarchies above them.
 template <class Stored>
-struct PlacedSearch {
-  ClosestSearch<Stored>& found;
-  const PlacedRay<Stored>& seen;
-  const Vec3d& place;
-  double& farthest;
-
-  MASU_HD void primitive(std::uint32_t item) {
-    const PlacedView<Stored>& placed = seen.placed;
-    if (item >= placed.count) return found.primitive(placed.triangle_count() + (item - placed.count));
-    const Placement<Stored>& own = placed.placements[item];
-    if (!seen.sees(item, own)) return;
-    const PlacedMesh<Stored>& mesh = placed.meshes[own.mesh];
-    PlacedMeshSearch<Stored> in_mesh{found,
-                                     placed,
-                                     item,
-                                     carried_point(own, place),
-                                     squared_lengthening(own),
-                                     2 * static_cast<double>(own.padding)}; // the diagonal is sqrt 3 of it
-    in_mesh.update();
-    if (!placed.is_brute_force)
-      return search(LeafHierarchyView<double, Stored>{placed.of_meshes.nodes, placed.of_meshes.leaves},
-                    in_mesh, own.root);
-    for (std::uint32_t i = 0; i < mesh.leaf_count; ++i)
-      in_mesh.leaf(placed.of_meshes.leaves + mesh.first_leaf + i);
-  }
-};
+MASU_HD inline void search_item(const PlacedRay<Stored>& seen, std::uint32_t item,
+                                ClosestSearch<Stored>& closest) {
+  const PlacedView<Stored>& placed = seen.placed;
+  if (item >= placed.count) return closest.primitive(placed.triangle_count() + (item - placed.count));
+  const Placement<Stored>& own = placed.placements[item];
+  if (!seen.sees(item, own)) return;
+  const PlacedMesh<Stored>& mesh = placed.meshes[own.mesh];
+  PlacedMeshSearch<Stored> in_mesh{closest,
+                                   placed,
+                                   item,
+                                   carried_point(own, closest.place),
+                                   squared_lengthening(own),
+                                   2 * static_cast<double>(own.padding)}; // the diagonal is sqrt 3 of it
+  in_mesh.update();
+  if (!placed.is_brute_force)
+    return search(LeafHierarchyView<double, Stored>{placed.of_meshes.nodes, placed.of_meshes.leaves}, in_mesh,
+                  own.root);
+  for (std::uint32_t i = 0; i < mesh.leaf_count; ++i)
+    in_mesh.leaf(placed.of_meshes.leaves + mesh.first_leaf + i);
+}
 
 // The hierarchies above, where a node may be an item.
 template <class Stored>
 struct UpperHierarchy {
+  const PlacedRay<Stored>& seen;
   const HierarchyNode* nodes;
 };
 template <class Stored>
 MASU_HD inline bool show_item(const UpperHierarchy<Stored>& above, std::uint32_t node,
-                              PlacedSearch<Stored>& all) {
+                              ClosestSearch<Stored>& closest) {
   if (node_slots(above.nodes[node]) != 0) return false;
-  all.primitive(above.nodes[node].first_reference);
+  search_item(above.seen, above.nodes[node].first_reference, closest);
   return true;
 }
 template <class Stored>
-MASU_HD inline void show(const UpperHierarchy<Stored>&, std::uint32_t, PlacedSearch<Stored>&) {}
+MASU_HD inline void show(const UpperHierarchy<Stored>&, std::uint32_t, ClosestSearch<Stored>&) {}
 
 template <class Stored>
 MASU_HD inline void search(const PlacedRay<Stored>& seen, ClosestSearch<Stored>& closest) {
   const PlacedView<Stored>& placed = seen.placed;
-  PlacedSearch<Stored> all{closest, seen, closest.place, closest.farthest};
   if (placed.is_brute_force) {
     for (std::uint32_t i = 0; i < placed.count + closest.scene.sphere_count + closest.scene.cone_count; ++i)
       if (i >= placed.count || placed.placements[i].world == seen.world ||
           placed.placements[i].world == every_world)
-        all.primitive(i);
+        search_item(seen, i, closest);
     return;
   }
-  const UpperHierarchy<Stored> above{placed.upper_nodes};
+  const UpperHierarchy<Stored> above{seen, placed.upper_nodes};
   const auto [first, second] = seen.roots();
-  if (first != no_root) search(above, all, first);
-  if (second != no_root) search(above, all, second);
+  if (first != no_root) search(above, closest, first);
+  if (second != no_root) search(above, closest, second);
 }
 
 } // namespace masu

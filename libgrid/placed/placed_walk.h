@@ -37,26 +37,11 @@ struct PlacedWalk {
       visitor.counts.cell(met.bits == 0);
       walk.template enter<needs_order<Visitor>>(node, met, stack);
     }
-#ifdef __CUDA_ARCH__
-    const int testing = __popc(__activemask());
-#endif
-    while (walk.references.bits != 0) {
-#ifdef __CUDA_ARCH__
-      if (__popc(__activemask()) * 4 < testing) {
-        push(stack, walk.height, walk.references);
-        break;
-      }
-#endif
-      const int leaf = lowest_bit(walk.references.bits);
-      walk.references.bits &= walk.references.bits - 1;
-      show_reference(seen, walk.references.first + static_cast<std::uint32_t>(leaf), visitor);
-    }
+    walk.show_references(stack, visitor, [&](std::uint32_t leaf) { show_reference(seen, leaf, visitor); });
     return !visitor.ends() && comes_back(stack, visitor);
   }
 
-  MASU_HD HierarchyWalk<Real>& level() {
-    return walk;
-  }
+  MASU_HD HierarchyWalk<Real>& level() { return walk; }
   template <class Stored, class Visitor>
   MASU_HD bool comes_to_node(const PlacedRay<Stored>& seen, HierarchyStack& stack, Visitor& visitor,
                              HierarchyNode& node) {
@@ -73,9 +58,7 @@ struct PlacedWalk {
   MASU_HD const Vec3<Real>& origin_of(const TestRay&) const {
     return origin;
   }
-  MASU_HD Real padding() const {
-    return outwards;
-  }
+  MASU_HD Real padding() const { return outwards; }
   template <class Stored, class Visitor>
   MASU_HD void show_reference(const PlacedRay<Stored>& seen, std::uint32_t leaf, Visitor& visitor) const {
     visitor.leaf(seen.placed.leaf(placement, leaf));
@@ -84,7 +67,10 @@ struct PlacedWalk {
   MASU_HD bool comes_back(HierarchyStack& stack, Visitor& visitor) {
     return walk.go_back(stack, visitor.farthest(), [&] {
       if (walk.height == 0) return false; // nothing above the mesh is left
-      leave(visitor.ray);
+      placement = none;
+      origin = visitor.ray.origin;
+      invert(visitor.ray.direction);
+      outwards = 0;
       return true;
     });
   }
@@ -109,13 +95,6 @@ private:
     invert(carried(own, visitor.ray.direction));
     outwards = static_cast<Real>(own.padding);
     walk.next = own.root;
-  }
-  template <class TestRay>
-  MASU_HD void leave(const TestRay& ray) {
-    placement = none;
-    origin = ray.origin;
-    invert(ray.direction);
-    outwards = 0;
   }
   MASU_HD void invert(const Vec3<Real>& direction) {
     walk.inverse = {bounded_reciprocal(direction.x), bounded_reciprocal(direction.y),

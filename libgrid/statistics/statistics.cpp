@@ -41,12 +41,6 @@ void count(std::vector<std::uint64_t>& counts, std::size_t number) {
   ++counts[number];
 }
 
-void add_cell(GridStatistics& statistics, std::uint32_t references) {
-  count(statistics.histogram, references);
-  ++statistics.occupied_cells;
-  statistics.references += references;
-}
-
 // act(word, first voxel of its box, the box's sides as powers of two, level) for a word of a merged grid's
 // map and all that it leads to.
 template <class Act>
@@ -94,23 +88,13 @@ double area_of(const HierarchyNode& node, int first, int end) {
 
 } // namespace
 
-GridStatistics grid_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references) {
-  GridStatistics statistics;
-  statistics.cells = voxel_count(grid.division);
+GridStatistics grid_statistics(std::uint64_t cells, std::span<const PrimitiveIndex> references) {
+  GridStatistics statistics{.cells = cells, .references = references.size()};
   for (std::size_t first = 0, i = 0; i < references.size(); ++i) {
     if ((references[i] & last_bit) == 0) continue;
-    add_cell(statistics, static_cast<std::uint32_t>(i + 1 - first));
+    count(statistics.histogram, i + 1 - first);
+    ++statistics.occupied_cells;
     first = i + 1;
-  }
-  describe(statistics);
-  return statistics;
-}
-
-GridStatistics grid_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells) {
-  GridStatistics statistics;
-  statistics.cells = cells.size();
-  for (const MergedCell& cell : cells) {
-    if (cell.list != empty_list) add_cell(statistics, references_of(grid.references, cell.list));
   }
   describe(statistics);
   return statistics;
@@ -202,7 +186,7 @@ MapStatistics map_statistics(const GridView<double>& grid, std::span<const Primi
 template <class Stored>
 std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
   const Structure grid = build_structure(scene, layout, overlap);
-  return grid_statistics(view_of<double>(grid), grid.references).occupied_cells;
+  return grid_statistics(voxel_count(layout.division), grid.references).occupied_cells;
 }
 template std::uint64_t occupied_voxels(const SceneView<float>&, const GridLayout&, Overlap);
 template std::uint64_t occupied_voxels(const SceneView<double>&, const GridLayout&, Overlap);

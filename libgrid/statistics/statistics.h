@@ -19,7 +19,7 @@ struct GridStatistics {
   double mean = 0, stddev = 0, median = 0;
   std::uint64_t p99 = 0, min = 0, max = 0;
   // Occupied cells by their number of references: histogram[n] of them list n.
-  std::vector<std::uint64_t> histogram;
+  std::vector<std::uint64_t> histogram{};
 };
 
 // How many a list names; 0 for empty_list.
@@ -55,9 +55,8 @@ struct MapStatistics {
   double mean_expansion = 1;
 };
 
-// Look at all that the grid or its map holds. `references` and `cells` as in grid.h.
-GridStatistics grid_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references);
-GridStatistics grid_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells);
+// Look at all that the grid or its map holds. `references` and `cells` as in grid.h: each list is one cell's.
+GridStatistics grid_statistics(std::uint64_t cells, std::span<const PrimitiveIndex> references);
 MapStatistics map_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references);
 MapStatistics map_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells);
 

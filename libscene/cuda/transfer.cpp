@@ -21,31 +21,11 @@ constexpr std::size_t min_pinned_bytes = std::size_t{8}
 
 using Fill = SectionReader::Fill;
 
+std::uint8_t* moved_by(const void* pointer, std::size_t offset) {
+  return static_cast<std::uint8_t*>(const_cast<void*>(pointer)) + offset;
+}
+
 } // namespace
-
-// A part of a copy to the device.
-struct Upload {
-  void* to;
-  std::uint64_t offset; // in the copy
-  std::size_t bytes;
-  const Transfer::Place& place; // null: to `to`
-};
-
-// What lies on the device until it is placed.
-class PlacedPart {
-public:
-  // Copies to where the upload goes by copy(address).
-  template <class Copy>
-  void upload(const Upload& part, const StreamMemory& memory, const Copy& copy) {
-    if (part.place == nullptr) return copy(part.to);
-    if (room_.size() < part.bytes) room_ = DeviceArray<std::uint8_t>(part.bytes, memory);
-    copy(room_.data());
-    part.place(room_.data(), part.offset, part.bytes, memory.stream);
-  }
-
-private:
-  DeviceArray<std::uint8_t> room_;
-};
 
 // The staging buffers of one thread, parts of memory that should be page-locked. Uploads alternate: one
 // buffer is transferred while the other is filled.
@@ -57,14 +37,16 @@ public:
   }
   std::size_t part() const { return part_; } // in bytes, at most
 
-  void upload(const Upload& part, const Fill& fill) {
+  void upload(const Transfer::Copy& copy, std::uint64_t offset, std::size_t bytes, const Fill& fill) {
     Staging& staging = stagings_[next_];
     next_ = 1 - next_;
     check(cudaStreamSynchronize(staging.stream));
-    fill(staging.buffer.first(part.bytes));
-    staging.placed.upload(part, {staging.stream, pool_}, [&](void* to) {
-      check(cudaMemcpyAsync(to, staging.buffer.data(), part.bytes, cudaMemcpyHostToDevice, staging.stream));
-    });
+    fill(staging.buffer.first(bytes));
+    if (copy.place != nullptr && staging.unplaced.size() < bytes)
+      staging.unplaced = DeviceArray<std::uint8_t>(bytes, {staging.stream, pool_});
+    void* const to = copy.place != nullptr ? staging.unplaced.data() : moved_by(copy.to, offset);
+    check(cudaMemcpyAsync(to, staging.buffer.data(), bytes, cudaMemcpyHostToDevice, staging.stream));
+    if (copy.place != nullptr) copy.place(to, offset, bytes, staging.stream);
   }
   void download(void* host, const void* device, std::size_t bytes) {
     Staging& staging = stagings_[0];
@@ -77,7 +59,7 @@ private:
   struct Staging {
     std::span<std::uint8_t> buffer;
     Stream stream;
-    PlacedPart placed;
+    DeviceArray<std::uint8_t> unplaced; // a part that lies on the device until it is placed
     // After an error the arrays are given back next: nothing may still be copied to them.
     ~Staging() { static_cast<void>(cudaStreamSynchronize(stream)); }
   };
@@ -99,14 +81,6 @@ struct StagingOfThreads {
   }
 };
 
-namespace {
-
-std::uint8_t* moved_by(const void* pointer, std::size_t offset) {
-  return static_cast<std::uint8_t*>(const_cast<void*>(pointer)) + offset;
-}
-
-} // namespace
-
 Transfer::Transfer(cudaMemPool_t pool) : pool_(pool) {
   check(cudaGetDevice(&device_));
 }
@@ -126,7 +100,7 @@ void Transfer::run() {
   const auto make = [](const Piece& piece, StagingBuffers& buffers) {
     const Copy& copy = *piece.copy;
     const auto upload = [&](std::uint64_t offset, std::size_t bytes, const Fill& fill) {
-      buffers.upload({moved_by(copy.to, offset), offset, bytes, copy.place}, fill);
+      buffers.upload(copy, offset, bytes, fill);
     };
     if (copy.section != nullptr) return copy.section->read_piece(piece.i, buffers.part(), upload);
     const std::uint64_t end = std::min<std::uint64_t>((piece.i + 1) * SectionReader::piece_bytes, copy.bytes);
@@ -179,8 +153,7 @@ void Transfer::run() {
 void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
   parallel_for((bytes + part_bytes - 1) / part_bytes, [&](std::size_t i) {
     const std::size_t begin = i * part_bytes;
-    std::memcpy(static_cast<std::uint8_t*>(to) + begin, static_cast<const std::uint8_t*>(from) + begin,
-                std::min(part_bytes, bytes - begin));
+    std::memcpy(moved_by(to, begin), moved_by(from, begin), std::min(part_bytes, bytes - begin));
   });
 }
 

@@ -23,6 +23,14 @@ public:
   // Where `place` is given, part by part, each of which lies on the device until `place` has queued there
   // what takes it to where it belongs.
   using Place = std::function<void(const void* part, std::uint64_t offset, std::size_t bytes, cudaStream_t)>;
+  struct Copy {
+    void* to;
+    const void* from; // null: of the section
+    std::size_t bytes;
+    cudaMemcpyKind direction;
+    std::shared_ptr<SectionReader> section;
+    Place place{}; // null: to `to`
+  };
   void to_device(void* device, const void* host, std::size_t bytes, Place place = {}) {
     if (bytes > 0)
       copies_.push_back({device, host, bytes, cudaMemcpyHostToDevice, nullptr, std::move(place)});
@@ -46,15 +54,6 @@ public:
   void run();
 
 private:
-  struct Copy {
-    void* to;
-    const void* from; // null: of the section
-    std::size_t bytes;
-    cudaMemcpyKind direction;
-    std::shared_ptr<SectionReader> section;
-    Place place{}; // null: to `to`
-  };
-
   std::vector<Copy> copies_;
   std::shared_ptr<StagingOfThreads> staging_; // of the first large run() on
   int device_ = 0;

@@ -20,18 +20,6 @@ MASU_ALWAYS_INLINE __m256 all(float v) {
 MASU_ALWAYS_INLINE __m256d all(double v) {
   return _mm256_set1_pd(v);
 }
-MASU_ALWAYS_INLINE __m256 load(const float* from) {
-  return _mm256_load_ps(from);
-}
-MASU_ALWAYS_INLINE __m256d load(const double* from) {
-  return _mm256_load_pd(from);
-}
-MASU_ALWAYS_INLINE void store(float* to, __m256 v) {
-  _mm256_store_ps(to, v);
-}
-MASU_ALWAYS_INLINE void store(double* to, __m256d v) {
-  _mm256_store_pd(to, v);
-}
 MASU_ALWAYS_INLINE __m256 fma(__m256 a, __m256 b, __m256 c) {
   return _mm256_fmadd_ps(a, b, c);
 }
@@ -98,8 +86,10 @@ struct Lanes {
   Lanes() = default;
   MASU_ALWAYS_INLINE Lanes(Register lanes) : v(lanes) {}
   MASU_ALWAYS_INLINE Lanes(Real all) : v(avx2::all(all)) {}
-  MASU_ALWAYS_INLINE static Lanes load(const Real* from) { return avx2::load(from); } // aligned
-  MASU_ALWAYS_INLINE void store(Real* to) const { avx2::store(to, v); }
+  MASU_ALWAYS_INLINE static Lanes load(const Real* from) { // aligned
+    return *reinterpret_cast<const Register*>(from);
+  }
+  MASU_ALWAYS_INLINE void store(Real* to) const { *reinterpret_cast<Register*>(to) = v; }
   MASU_ALWAYS_INLINE __m256i whole() const { return reinterpret_cast<__m256i>(v); }
 
   MASU_ALWAYS_INLINE friend Lanes operator+(Lanes a, Lanes b) { return a.v + b.v; }

@@ -67,12 +67,8 @@ template <class Stored>
 MASU_HD inline bool has_surface(const Triangle<Stored>& t) {
   return !(t.a == t.b && t.b == t.c);
 }
-template <class Stored>
-MASU_HD inline bool has_surface(const Sphere<Stored>&) {
-  return true;
-}
-template <class Stored>
-MASU_HD inline bool has_surface(const Cone<Stored>&) {
+template <template <class> class Record, class Stored>
+MASU_HD inline bool has_surface(const Record<Stored>&) {
   return true;
 }
 

@@ -87,9 +87,10 @@ MASU_HD inline Vec3<Real> shading_normal(const SceneView<Stored>& scene, const T
   return largest_magnitude(between) > 0 ? normalized(between) : geometric;
 }
 
-template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const WatertightRay<Real>& ray,
-                                             Real, const Triangle<Stored>& triangle) {
+template <class TestRay, class Stored, class Real = typename TestRay::Real>
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const TestRay& line, Real,
+                                             const Triangle<Stored>& triangle) {
+  const auto& ray = prepare_watertight(line);
   const Vec3<Real> a = cast<Real>(triangle.a), b = cast<Real>(triangle.b), c = cast<Real>(triangle.c);
   const EdgeFunctions<Real> weights = barycentric(ray, triangle);
   SurfacePoint<Real> point{};
@@ -104,12 +105,6 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
   point.is_flat = true;
   point.material = static_cast<std::uint32_t>(triangle.material);
   return point;
-}
-
-template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const PreparedRay<Real>& ray,
-                                             Real t, const Triangle<Stored>& triangle) {
-  return surface_at(scene, prepare_watertight(ray), t, triangle);
 }
 
 template <class Real, class Stored>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 #include <utility>
 
 namespace masu {
@@ -144,7 +145,6 @@ public:
       previous_[follower] = ring[i];
     }
     obstacles_ = obstacles(ring);
-    heap_.reserve(3 * ring.size());
     for (const std::uint32_t v : ring)
       classify(v);
   }
@@ -309,15 +309,13 @@ private:
 
   void push(std::uint32_t v, Rank rank) {
     ranks_[v] = rank;
-    heap_.push_back({rank, ear_shape(before(v), points_[v], after(v), turn(v)), v, ++stamps_[v]});
-    std::push_heap(heap_.begin(), heap_.end());
+    heap_.push({rank, ear_shape(before(v), points_[v], after(v), turn(v)), v, ++stamps_[v]});
   }
 
   Candidate pop() {
     for (;;) {
-      std::pop_heap(heap_.begin(), heap_.end());
-      const Candidate top = heap_.back();
-      heap_.pop_back();
+      const Candidate top = heap_.top();
+      heap_.pop();
       if (top.stamp == stamps_[top.vertex]) return top;
     }
   }
@@ -361,9 +359,9 @@ private:
   std::vector<std::uint32_t> previous_, next_;
   std::vector<std::uint32_t> stamps_; // of each vertex's valid candidate: older ones are ignored
   std::vector<Rank> ranks_;
-  std::vector<Candidate> heap_; // one valid candidate for each vertex of the ring
-  PointTree obstacles_;         // vertices that can block an ear: all that aren't clearly convex
-  std::size_t size_;            // vertices in the ring
+  std::priority_queue<Candidate> heap_; // one valid candidate for each vertex of the ring
+  PointTree obstacles_;                 // vertices that can block an ear: all that aren't clearly convex
+  std::size_t size_;                    // vertices in the ring
   std::size_t retests_left_, steps_left_;
   Effort effort_ = Effort::limited;
   bool changed_ = false; // since blocked ears were last tested again

@@ -55,20 +55,17 @@ public:
   double least_extent() const { return least_extent_; }
 
   // What they are made from: all vertices, in doubles where a mesh has them, and indices, where a mesh's
-  // vertices don't follow one another;
+  // vertices don't follow one another.
   const Vertices& vertices() const { return vertices_; }
   std::shared_ptr<const Indices> indices() const { return indices_; }
-  // of each mesh the first triangle; and where those without a surface lie.
-  std::span<const std::uint64_t> begins() const { return begins_; }
-  const Vec3d& place() const { return place_; }
 
 private:
   std::size_t size_ = 0;
   Vertices vertices_;                   // in
   std::shared_ptr<const void> numbers_; // and, where there are any,
   std::shared_ptr<const Indices> indices_;
-  std::vector<std::uint64_t> begins_;
-  Vec3d place_{0, 0, 0};
+  std::vector<std::uint64_t> begins_; // of each mesh the first triangle
+  Vec3d place_{0, 0, 0};              // of triangles without a surface
   Boxd box_ = empty_box<double>();
   double least_extent_ = std::numeric_limits<double>::infinity();
 };

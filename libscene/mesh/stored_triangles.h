@@ -57,18 +57,15 @@ template <class Stored, class Number>
 struct MeshesView {
   SceneView<Stored> others; // without triangles
   StoredTriangles<Stored, Number> triangles;
+  std::uint32_t triangle_count = others.triangle_count;
 
   std::uint32_t primitive_count() const { return others.primitive_count(); }
 };
 
 // As of a SceneView.
-template <class Stored, class Number>
-std::uint32_t triangle_count(const MeshesView<Stored, Number>& scene) {
-  return scene.others.triangle_count;
-}
 template <class Stored, class Number, class Act>
 void with_primitive(const MeshesView<Stored, Number>& scene, PrimitiveIndex index, const Act& act) {
-  if (index < scene.others.triangle_count)
+  if (index < scene.triangle_count)
     act(widened(scene.triangles(index)));
   else
     with_primitive(scene.others, index, act);

@@ -1,7 +1,6 @@
 #include "libscene/mesh/sweep_triangulation.h"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -181,23 +180,18 @@ private:
 // Calls act(its vertices in the ring's order) for each piece that the diagonals divide the ring into, until
 // it returns false. False also where the diagonals cross each other.
 template <class Act>
-bool for_each_piece(Vertex size, const std::vector<Diagonal>& diagonals, const Act& act) {
+bool for_each_piece(Vertex size, std::vector<Diagonal>& diagonals, const Act& act) {
   // Each vertex's diagonals to vertices before it, farthest last; those behind it are open meanwhile.
-  std::vector<std::uint32_t> begin(size + 1, 0);
-  for (const auto& [first, last] : diagonals)
-    ++begin[last + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Vertex> back(diagonals.size());
-  std::vector<std::uint32_t> filled(begin.begin(), begin.end() - 1);
-  for (const auto& [first, last] : diagonals)
-    back[filled[last]++] = first;
+  std::ranges::sort(diagonals, [](const Diagonal& a, const Diagonal& b) {
+    return a.second != b.second ? a.second < b.second : a.first > b.first;
+  });
+  auto diagonal = diagonals.begin();
   std::vector<Vertex> stack, piece;
   for (Vertex v = 0; v < size; ++v) {
-    std::sort(back.begin() + begin[v], back.begin() + begin[v + 1], std::greater<>());
-    for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
+    for (; diagonal != diagonals.end() && diagonal->second == v; ++diagonal) {
       // What is on the stack behind the diagonal's first vertex lies between both.
-      const auto first = std::lower_bound(stack.begin(), stack.end(), back[i]);
-      if (first == stack.end() || *first != back[i] || stack.end() - first < 2) return false;
+      const auto first = std::lower_bound(stack.begin(), stack.end(), diagonal->first);
+      if (first == stack.end() || *first != diagonal->first || stack.end() - first < 2) return false;
       piece.assign(first, stack.end());
       piece.push_back(v);
       stack.erase(first + 1, stack.end());

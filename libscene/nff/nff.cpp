@@ -76,7 +76,7 @@ private:
       searched = i;
       const std::size_t begin = text.find_first_not_of(" \t", i + 1);
       std::size_t end = std::min(begin, text.size());
-      while (end != text.size() && end - begin < 3 && nff::kind_of(text[end]) == nff::Character::other)
+      while (end != text.size() && end - begin < 3 && !nff::ends_token(text[end]))
         ++end;
       if (end == text.size() && !is_all_read_) return {};
       if (begin < end && is_entity(text.substr(begin, end - begin))) return i + 1;
@@ -141,7 +141,6 @@ struct Assembly {
   std::optional<nff::View> view;
   MaterialTable materials;
   Material material = default_material; // current at the end of the joined pieces
-  std::uint64_t objects = 0;
   bool holds_entities = false;
   std::uint64_t checked_bytes = 0; // of the scene, when there was memory for more
 };
@@ -189,30 +188,19 @@ void renumber(Piece& piece, const std::vector<std::uint32_t>& materials, std::ui
       surface = {surface.object + first_object, materials[surface.material]};
 }
 
-void add(ObjectCounts& all, const ObjectCounts& more) {
-  all.polygons += more.polygons;
-  all.patches += more.patches;
-  all.spheres += more.spheres;
-  all.cones += more.cones;
-}
-
-void add(SceneWarnings& all, const SceneWarnings& more) {
-  all.degenerate_polygons += more.degenerate_polygons;
-  all.degenerate_triangles += more.degenerate_triangles;
-  all.degenerate_spheres += more.degenerate_spheres;
-  all.degenerate_cones += more.degenerate_cones;
-  all.self_crossing_polygons += more.self_crossing_polygons;
-}
-
 // Adds the piece's counts. Throws when indices would overflow.
 void join_counts(Assembly& assembly, const Piece& piece, const NffOptions& options, const std::string& name) {
   Scene& scene = assembly.scene;
-  add(scene.objects, piece.objects);
-  add(scene.warnings, piece.warnings);
-  assembly.objects = scene.objects.sum();
+  for (const auto count :
+       {&ObjectCounts::polygons, &ObjectCounts::patches, &ObjectCounts::spheres, &ObjectCounts::cones})
+    scene.objects.*count += piece.objects.*count;
+  for (const auto count : {&SceneWarnings::degenerate_polygons, &SceneWarnings::degenerate_triangles,
+                           &SceneWarnings::degenerate_spheres, &SceneWarnings::degenerate_cones,
+                           &SceneWarnings::self_crossing_polygons})
+    scene.warnings.*count += piece.warnings.*count;
   const std::uint64_t primitives = scene.triangles.size() + scene.spheres.size() + scene.cones.size() +
                                    piece.triangles.size() + piece.spheres.size() + piece.cones.size();
-  if (assembly.objects > max_objects)
+  if (scene.objects.sum() > max_objects)
     throw Error(ErrorCode::input, name,
                 fmt::format("has more than {} objects: split the scene", max_objects));
   if (primitives > options.max_primitives)
@@ -222,7 +210,7 @@ void join_counts(Assembly& assembly, const Piece& piece, const NffOptions& optio
 
 void join(Assembly& assembly, Piece& piece, const NffOptions& options, const std::string& name) {
   Scene& scene = assembly.scene;
-  const auto first_object = static_cast<std::uint32_t>(assembly.objects);
+  const auto first_object = static_cast<std::uint32_t>(scene.objects.sum());
   join_counts(assembly, piece, options, name);
   renumber(piece, join_materials(assembly, piece), first_object,
            static_cast<std::uint32_t>(scene.normals.size()));
@@ -251,24 +239,17 @@ std::exception_ptr caught(const Body& body) {
   }
 }
 
-void parse_job(Job& job, const std::string& name) {
-  const Text text{{job.characters.data(), job.characters.size()}, name, job.lines_before, job.bytes_after};
-  job.piece = nff::parse_piece(text, text.begin() + job.size);
-}
-
-void parse_all(Cutter& cutter, Job&& first, const std::string& name, const NffOptions& options,
-               Assembly& assembly) {
+void parse_all(Cutter cutter, const std::string& name, const NffOptions& options, Assembly& assembly) {
   // One for each token of the pipeline: pieces leave it in order, so that the oldest job is free.
   std::vector<Job> jobs(2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
-  jobs[0] = std::move(first);
   std::size_t started = 0;
   std::exception_ptr error, cut_error; // the first in the text; and what ended the reading
   std::atomic<bool> has_failed = false;
 
   const auto cut = [&](tbb::flow_control& control) -> Job* {
     Job& job = jobs[started % jobs.size()];
-    const bool is_over = has_failed || (started > 0 && cutter.is_at_end());
-    if (!is_over && started > 0) cut_error = caught([&] { cutter.next(job); });
+    const bool is_over = has_failed || cutter.is_at_end();
+    if (!is_over) cut_error = caught([&] { cutter.next(job); });
     if (is_over || cut_error) {
       control.stop();
       return nullptr;
@@ -277,7 +258,9 @@ void parse_all(Cutter& cutter, Job&& first, const std::string& name, const NffOp
     return &job;
   };
   const auto parse = [&](Job* job) {
-    job->error = caught([&] { parse_job(*job, name); });
+    const Text text{
+        {job->characters.data(), job->characters.size()}, name, job->lines_before, job->bytes_after};
+    job->error = caught([&] { job->piece = nff::parse_piece(text, text.begin() + job->size); });
     return job;
   };
   const auto collect = [&](Job* job) {
@@ -347,15 +330,7 @@ void finish_lights(Assembly& assembly) {
 
 Scene parse(const TextSource& source, const std::string& name, const NffOptions& options) {
   Assembly assembly;
-  Cutter cutter(source, name, options.piece_bytes);
-  Job first;
-  cutter.next(first);
-  if (cutter.is_at_end()) {
-    parse_job(first, name);
-    join(assembly, first.piece, options, name);
-  } else {
-    parse_all(cutter, std::move(first), name, options, assembly);
-  }
+  parse_all(Cutter(source, name, options.piece_bytes), name, options, assembly);
   if (!assembly.holds_entities)
     throw Error(ErrorCode::input, name,
                 "has no NFF entity: give a text with at least one of v b l f c s p pp");

@@ -27,17 +27,15 @@ std::string place_of(const Text& text, const char* position);
 // Throws Error(input, its place, message).
 [[noreturn]] void fail(const Text& text, const char* position, const std::string& message);
 
-enum class Character : std::uint8_t { other, blank, comment };
-
-inline constexpr std::array<Character, 256> character_kinds = [] {
-  std::array<Character, 256> kinds{};
-  for (const char blank : {' ', '\t', '\n', '\r', '\v', '\f'})
-    kinds[static_cast<unsigned char>(blank)] = Character::blank;
-  kinds['#'] = Character::comment;
-  return kinds;
+// Blanks, and what begins a comment.
+inline constexpr std::array<bool, 256> token_ends = [] {
+  std::array<bool, 256> ends{};
+  for (const char end : {' ', '\t', '\n', '\r', '\v', '\f', '#'})
+    ends[static_cast<unsigned char>(end)] = true;
+  return ends;
 }();
-inline Character kind_of(char c) {
-  return character_kinds[static_cast<unsigned char>(c)];
+inline bool ends_token(char c) {
+  return token_ends[static_cast<unsigned char>(c)];
 }
 inline bool is_digit(char c) {
   return static_cast<unsigned char>(c - '0') < 10;
@@ -60,7 +58,7 @@ public:
   const Text& text() const { return *text_; }
   // The next token's first character, or the text's end.
   const char* next() {
-    while (position_ != end_ && kind_of(*position_) != Character::other)
+    while (position_ != end_ && ends_token(*position_))
       skip_blank();
     return position_;
   }
@@ -68,7 +66,7 @@ public:
   // The next token; empty at the end.
   std::string_view word() {
     const char* start = next();
-    while (position_ != end_ && kind_of(*position_) == Character::other)
+    while (position_ != end_ && !ends_token(*position_))
       ++position_;
     return {start, static_cast<std::size_t>(position_ - start)};
   }
@@ -120,8 +118,7 @@ inline bool Lexer::plain_number(double& value) {
     decimals = p - fraction;
     count += decimals;
   }
-  if (count == 0 || count > 19 || mantissa > (1ULL << 53) || (p != end_ && kind_of(*p) == Character::other))
-    return false;
+  if (count == 0 || count > 19 || mantissa > (1ULL << 53) || (p != end_ && !ends_token(*p))) return false;
   position_ = p;
   const double magnitude = static_cast<double>(mantissa) / powers_of_ten[static_cast<std::size_t>(decimals)];
   value = is_negative ? -magnitude : magnitude;

@@ -15,7 +15,6 @@ namespace masu::spd {
 namespace {
 
 constexpr std::size_t block = 1 << 16; // bytes written at once
-constexpr std::size_t max_line = 256;
 
 // Scenes are about one unit wide: smaller magnitudes are rounding errors of an exact zero.
 constexpr double smallest = 1e-12;
@@ -42,19 +41,7 @@ void put_line(NffWriter& nff, std::string_view keyword, std::initializer_list<do
   if (nff.text.size() >= block) flush(nff);
 }
 
-void put_corner(NffWriter& nff, const Vec3d& v) {
-  put_line(nff, "", {v.x, v.y, v.z});
-}
-
-void put_corner(NffWriter& nff, const Corner& c) {
-  put_line(nff, "", {c.position.x, c.position.y, c.position.z, c.normal.x, c.normal.y, c.normal.z});
-}
-
 } // namespace
-
-NffWriter::NffWriter(std::FILE* file, std::string name) : out(file), place(std::move(name)) {
-  text.reserve(block + max_line);
-}
 
 void put_view(NffWriter& nff, const View& view) {
   const auto& [from, at, up, hither, background, angle, resolution] = view;
@@ -93,7 +80,7 @@ void put_polygon(NffWriter& nff, std::span<const Vec3d> corners) {
   ++nff.objects;
   put_line(nff, "p", {static_cast<double>(corners.size())});
   for (const Vec3d& corner : corners)
-    put_corner(nff, corner);
+    put_line(nff, "", {corner.x, corner.y, corner.z});
 }
 
 void put_polygon(NffWriter& nff, std::initializer_list<Vec3d> corners) {
@@ -103,9 +90,8 @@ void put_polygon(NffWriter& nff, std::initializer_list<Vec3d> corners) {
 void put_triangle(NffWriter& nff, const Corner& a, const Corner& b, const Corner& c) {
   ++nff.objects;
   put_line(nff, "pp", {3});
-  put_corner(nff, a);
-  put_corner(nff, b);
-  put_corner(nff, c);
+  for (const auto& [p, n] : {a, b, c})
+    put_line(nff, "", {p.x, p.y, p.z, n.x, n.y, n.z});
 }
 
 void finish(NffWriter& nff) {

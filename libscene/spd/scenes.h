@@ -38,11 +38,9 @@ inline Vec3d from_frame(const Frame& frame, const Vec3d& v) {
 }
 
 struct NffWriter {
-  NffWriter(std::FILE* out, std::string place);
-
   std::FILE* out;
   std::string place;                                     // names `out` in errors
-  std::string text;                                      // buffer; bounded
+  std::string text{};                                    // buffer; bounded
   std::uint64_t objects = 0;                             // written so far
   std::function<void(std::uint64_t objects)> progress{}; // called now and then, where there is one
 };

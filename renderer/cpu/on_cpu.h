@@ -7,8 +7,6 @@
 #include "renderer/dispatch.h"
 #include "renderer/rays/list_progress.h"
 
-#include <functional>
-
 namespace masu {
 
 template <class Total, class Part>
@@ -21,12 +19,6 @@ double seconds_of(const Act& act) {
   const Stopwatch watch;
   act();
   return watch.seconds();
-}
-
-// The sum of count_some(begin, end) over the ranges that 0 … rays - 1 is cut into, in parallel.
-inline Counts counted(std::size_t rays, std::size_t grain,
-                      const std::function<Counts(std::size_t begin, std::size_t end)>& count_some) {
-  return parallel_reduce(rays, grain, Counts{}, count_some, [](Counts a, const Counts& b) { return a += b; });
 }
 
 // Calls act(i) for each of a list whose queries take long, and of so many tests each, on all cores.

@@ -95,7 +95,8 @@ void trace(const SceneView<Stored>& scene, const Structure& structure, const Ray
     }
     return counts;
   };
-  report.counts = counted(rays.count, rays_per_task<Structure>(rays.count), std::cref(trace_some));
+  report.counts = parallel_reduce(rays.count, rays_per_task<Structure>(rays.count), Counts{}, trace_some,
+                                  [](Counts a, const Counts& b) { return a += b; });
 }
 
 // Hits in order, through what takes so many tests each.

@@ -21,20 +21,10 @@ namespace {
 
 // --- Where a cell is --------------------------------------------------------------------------------------
 
-template <class Real>
-VoxelBox cell_voxels(const GridView<Real>& grid, const Vec3i& voxel) {
-  const int side = look_up(grid, voxel).side_log2;
-  VoxelBox box{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::int32_t first = voxel[axis] >> side << side;
-    box.first.set(axis, first);
-    box.end.set(axis, std::min(first + (1 << side), grid.division[axis]));
-  }
-  return box;
-}
-template <class Real>
-VoxelBox cell_voxels(const MergedGridView<Real>& grid, const Vec3i& voxel) {
-  return masu::box_of(grid.cells[cell_number(grid, voxel)]);
+// By the planes that end it for walks down and up.
+template <class Structure>
+VoxelBox cell_voxels(const Structure& grid, const Vec3i& voxel) {
+  return {cell_at(grid, voxel, {-1, -1, -1}).far, cell_at(grid, voxel, {0, 0, 0}).far};
 }
 
 template <class Structure>

@@ -44,11 +44,11 @@ void open_and_traverse(const std::string& path) {
       traverse<float>(masu::hierarchy_view_of<float>(file.records()), file);
       traverse<double>(masu::hierarchy_view_of<double>(file.records()), file);
     } else if (file.is_merged()) {
-      static_cast<void>(masu::grid_statistics(masu::merged_view_of<double>(file.records()), file.cells()));
+      static_cast<void>(masu::grid_statistics(file.cells().size(), file.references()));
       traverse<float>(masu::merged_view_of<float>(file.records()), file);
       traverse<double>(masu::merged_view_of<double>(file.records()), file);
     } else {
-      static_cast<void>(masu::grid_statistics(masu::view_of<double>(file.records()), file.references()));
+      static_cast<void>(masu::grid_statistics(0, file.references()));
       traverse<float>(masu::view_of<float>(file.records()), file);
       traverse<double>(masu::view_of<double>(file.records()), file);
     }

@@ -30,8 +30,8 @@ struct Settings {
 
 // A picture or channel: row by row from the top, `channels` numbers a pixel.
 struct FloatPicture {
-  std::int32_t width = 0, height = 0, channels = 0; // 1 or 3
-  std::vector<float> values;                        // of a PNG its bytes / 255
+  std::size_t width, height, channels; // 1 or 3
+  std::vector<float> values;           // of a PNG its bytes / 255
 };
 
 constexpr std::uint64_t largest_side = 1 << 20;
@@ -46,26 +46,6 @@ struct File {
       fail(fmt::format("has {} x {} pixels: damaged?", width, height));
   }
 };
-
-// Of a size that was checked, with zeros.
-FloatPicture picture_of(std::uint64_t width, std::uint64_t height, std::uint64_t channels) {
-  return {static_cast<std::int32_t>(width), static_cast<std::int32_t>(height),
-          static_cast<std::int32_t>(channels), std::vector<float>(width * height * channels)};
-}
-
-constexpr std::string_view png_begins = "\x89PNG", pfm_begins = "PF", pfm_of_one_begins = "Pf";
-
-// Nothing but its beginning is read of what isn't a picture: it may be endless.
-File read(const std::string& path) {
-  InputStream in(path);
-  File file{path, std::string(npy_magic.size(), ' ')};
-  file.bytes.resize(in.read(file.bytes.data(), file.bytes.size()));
-  const auto begins = [&](std::string_view with) { return file.bytes.starts_with(with); };
-  if (!begins(png_begins) && !begins(pfm_begins) && !begins(pfm_of_one_begins) && !begins(npy_magic))
-    file.fail("is neither PNG nor PFM nor a NumPy array");
-  file.bytes += read_to_end([&](char* to, std::size_t bytes) { return in.read(to, bytes); }, path);
-  return file;
-}
 
 FloatPicture read_png(const File& file) {
   png_image png{};
@@ -83,10 +63,10 @@ FloatPicture read_png(const File& file) {
   if (PNG_IMAGE_SIZE(png) / 1100 > file.bytes.size()) file.fail("is shorter than its size says: damaged?");
   std::vector<std::uint8_t> rgb(PNG_IMAGE_SIZE(png));
   check(png_image_finish_read(&png, nullptr, rgb.data(), 0, nullptr));
-  FloatPicture picture = picture_of(png.width, png.height, 3);
-  std::ranges::transform(rgb, picture.values.begin(),
+  std::vector<float> values(rgb.size());
+  std::ranges::transform(rgb, values.begin(),
                          [](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
-  return picture;
+  return {png.width, png.height, 3, std::move(values)};
 }
 
 float float_at(const char* bytes, bool is_big_endian) {
@@ -118,12 +98,12 @@ FloatPicture read_pfm(const File& file) {
   const std::size_t row = std::size_t{width} * channels;
   if (at > file.bytes.size() || file.bytes.size() - at != row * height * sizeof(float))
     file.fail(fmt::format("hasn't the length of {} x {} pixels", width, height));
-  FloatPicture picture = picture_of(width, height, channels);
+  std::vector<float> values(row * height);
   for (std::size_t y = 0; y < height; ++y) // from the bottom up
     for (std::size_t i = 0; i < row; ++i)
-      picture.values[(height - 1 - y) * row + i] =
+      values[(height - 1 - y) * row + i] =
           float_at(file.bytes.data() + at + (y * row + i) * sizeof(float), scale > 0);
-  return picture;
+  return {width, height, channels, std::move(values)};
 }
 
 FloatPicture read_npy(const File& file) {
@@ -143,30 +123,37 @@ FloatPicture read_npy(const File& file) {
   file.check_size(array->shape[1], array->shape[0]);
   const std::size_t channels = dimensions == 3 ? 3 : 1, count = array->shape[0] * array->shape[1] * channels;
   if (file.bytes.size() - at != count * sizeof(float)) file.fail("hasn't the length that its shape says");
-  FloatPicture picture = picture_of(array->shape[1], array->shape[0], channels);
+  std::vector<float> values(count);
   for (std::size_t i = 0; i < count; ++i) {
     const float bits = float_at(file.bytes.data() + at + i * sizeof(float), false);
-    picture.values[i] = is_float    ? bits
-                        : is_signed ? static_cast<float>(std::bit_cast<std::int32_t>(bits))
-                                    : static_cast<float>(std::bit_cast<std::uint32_t>(bits));
+    values[i] = is_float    ? bits
+                : is_signed ? static_cast<float>(std::bit_cast<std::int32_t>(bits))
+                            : static_cast<float>(std::bit_cast<std::uint32_t>(bits));
   }
-  return picture;
+  return {array->shape[1], array->shape[0], channels, std::move(values)};
 }
 
 // A PNG, a PFM or a NumPy array, known by its content. An array has the shape (rows, columns) or (rows,
 // columns, 3) and numbers of type <f4, <i4 or <u4. Throws Error(input, path, …) for what isn't such a file,
 // or is damaged.
 FloatPicture read_picture(const std::string& path) {
-  const File file = read(path);
-  if (file.bytes.starts_with(png_begins)) return read_png(file);
-  return file.bytes.starts_with(npy_magic) ? read_npy(file) : read_pfm(file);
+  InputStream in(path);
+  File file{path, std::string(npy_magic.size(), ' ')};
+  file.bytes.resize(in.read(file.bytes.data(), file.bytes.size()));
+  const auto begins = [&](std::string_view with) { return file.bytes.starts_with(with); };
+  const bool is_png = begins("\x89PNG"), is_npy = begins(npy_magic);
+  // Nothing but its beginning is read of what isn't a picture: it may be endless.
+  if (!is_png && !is_npy && !begins("PF") && !begins("Pf"))
+    file.fail("is neither PNG nor PFM nor a NumPy array");
+  file.bytes += read_to_end([&](char* to, std::size_t bytes) { return in.read(to, bytes); }, path);
+  return is_png ? read_png(file) : is_npy ? read_npy(file) : read_pfm(file);
 }
 
 struct Difference {
-  std::int32_t width = 0, height = 0;
-  double rmse = 0;           // over all numbers of all pixels
-  double largest = 0;        // of a number
-  std::int32_t x = 0, y = 0; // where, from the top left; the first of equals
+  std::size_t width, height;
+  double rmse = 0;          // over all numbers of all pixels
+  double largest = 0;       // of a number
+  std::size_t x = 0, y = 0; // where, from the top left; the first of equals
   std::size_t different_pixels = 0;
   // Pixels in which a number is infinite or NaN in one picture, and not the same in the other; they count as
   // different, and in nothing else.
@@ -183,15 +170,13 @@ Difference difference_of(const FloatPicture& a, const FloatPicture& b, const std
                     "of one size",
                     b.width, b.height, b.channels, a.width, a.height, a.channels));
   Difference result{.width = a.width, .height = a.height};
-  const auto channels = static_cast<std::size_t>(a.channels);
-  const std::size_t pixels = a.values.size() / channels;
-  result.pixels.resize(pixels);
+  result.pixels.resize(a.width * a.height);
   double squares = 0;
   std::size_t compared = 0;
-  for (std::size_t i = 0; i < pixels; ++i) {
+  for (std::size_t i = 0; i < result.pixels.size(); ++i) {
     double largest = 0;
     bool comparable = true;
-    for (std::size_t k = i * channels; k < (i + 1) * channels; ++k) {
+    for (std::size_t k = i * a.channels; k < (i + 1) * a.channels; ++k) {
       const double one = static_cast<double>(a.values[k]), other = static_cast<double>(b.values[k]);
       const bool same = one == other || (std::isnan(one) && std::isnan(other)); // infinities too
       if (!same && !(std::isfinite(one) && std::isfinite(other))) {
@@ -208,8 +193,8 @@ Difference difference_of(const FloatPicture& a, const FloatPicture& b, const std
     result.incomparable_pixels += !comparable;
     if (largest > result.largest) {
       result.largest = largest;
-      result.x = static_cast<std::int32_t>(i % static_cast<std::size_t>(a.width));
-      result.y = static_cast<std::int32_t>(i / static_cast<std::size_t>(a.width));
+      result.x = i % a.width;
+      result.y = i / a.width;
     }
   }
   if (compared > 0) result.rmse = std::sqrt(squares / static_cast<double>(compared));
@@ -221,7 +206,8 @@ Drawing difference_picture(const Difference& difference) {
       fmt::format("difference: the largest of each pixel; rmse {:.4g}, {} of {} pixels differ",
                   difference.rmse, difference.different_pixels, difference.pixels.size());
   return value_picture(
-      {difference.width, difference.height, difference.pixels},
+      {static_cast<std::int32_t>(difference.width), static_cast<std::int32_t>(difference.height),
+       difference.pixels},
       {title, "absolute difference", "infinite in one picture only", Caption::Values::from_zero});
 }
 

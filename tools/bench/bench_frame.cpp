@@ -62,26 +62,16 @@ Json measure(const Settings& settings, const ResidentTracer& tracer, const std::
           {"kernel", {{"registers", frame.kernel.registers}, {"local_bytes", frame.kernel.local_bytes}}}};
 }
 
-// The renderer's own schedule renders in every way; the others by `robust` alone.
-std::vector<std::string> schedules_for(const Settings& settings, const SceneFile& scene) {
-  std::vector<std::string> names = settings.schedules;
-  const bool is_robust = resolved(settings.tracing.precision, scene) == Precision::robust &&
-                         settings.tracing.stop == StopRule::proven;
-  if (names.empty()) {
-    for (const auto& [name, division] : all_schedules) {
-      if (is_robust || !division) names.push_back(name);
-    }
-  }
-  if (!is_robust && names != std::vector<std::string>{"hardware"})
-    throw Error(ErrorCode::usage, "--schedule",
-                "block, cyclic and persistent render by --precision robust alone: name hardware");
-  return names;
-}
-
 void bench_frame(const Settings& settings, Output& output) {
   const bool cuda = output.on_cuda(settings.backend);
   const SceneFile scene(settings.scene);
-  const std::vector<std::string> names = schedules_for(settings, scene);
+  // The renderer's own schedule renders in every way; the others by `robust` alone, through cells.
+  const bool is_robust = resolved(settings.tracing.precision, scene) == Precision::robust &&
+                         settings.tracing.stop == StopRule::proven;
+  const std::vector<std::string>& names = settings.schedules; // empty: all that can be
+  if (!is_robust && !names.empty() && names != std::vector<std::string>{"hardware"})
+    throw Error(ErrorCode::usage, "--schedule",
+                "block, cyclic and persistent render by --precision robust alone: name hardware");
   output.print("{}, median of {} after {}\n\n{:<24} {:<10} {:>8} {:>10}\n", cuda ? "cuda" : "cpu",
                settings.repeat, settings.warm_up, "grid", "schedule", "workers", "ms");
   HostArray<Vec3f> picture;
@@ -89,12 +79,11 @@ void bench_frame(const Settings& settings, Output& output) {
     const StructureFile grid(path);
     const ResidentTracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     for (const auto& [name, division] : all_schedules) {
-      if (!contains(names, name)) continue;
-      if (grid.is_hierarchy() && division) {
-        if (settings.schedules.empty()) continue;
+      const bool can_render = !division || (is_robust && !grid.is_hierarchy());
+      if (names.empty() ? !can_render : !contains(names, name)) continue;
+      if (!can_render)
         throw Error(ErrorCode::usage, "--schedule",
                     "block, cyclic and persistent need a grid of cells: a hierarchy has none: name hardware");
-      }
       const Json& row = output.json.emplace_back(measure(settings, tracer, name, division, picture));
       output.print("{:<24} {:<10} {:>8} {:>10.3f}\n", printable(path), name,
                    row["workers"].get<std::uint64_t>(), row["median_seconds"].get<double>() * 1e3);
@@ -105,7 +94,7 @@ void bench_frame(const Settings& settings, Output& output) {
 void add_options(const CommandLine& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grids(command, settings.grids);
-  add_names(command, "--schedule", settings.schedules, names_in(all_schedules),
+  add_names(command, "--schedule", settings.schedules, {"hardware", "block", "cyclic", "persistent"},
             "how tiles of 8x8 rays are assigned: hardware (a thread block per tile), block (consecutive "
             "tiles to each worker), cyclic (every W-th tile to each of W workers), persistent (workers "
             "take the next tile from a counter); default: all");

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <vector>
 
 namespace masu {
@@ -151,9 +150,7 @@ void add_options(const CommandLine& command, Settings& settings) {
   add_backend(command, settings.backend);
   command.add_choice("--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
                      "order of primary rays: rows, or tiles of 8x4");
-  std::set<std::string> loop_names = names_in(all_loops);
-  loop_names.insert("auto");
-  add_names(command, "--loop", settings.loops, loop_names,
+  add_names(command, "--loop", settings.loops, {"thread_per_ray", "warp", "warp_refill", "on_device", "auto"},
             "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
             "tests), warp_refill (warp, and idle threads fetch the next ray), on_device (through a hierarchy "
             "one of these, by a look at some rays there), or auto (that, or through a grid by what a sample "

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <list>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -35,40 +36,32 @@ struct Settings {
 };
 
 TradeoffSetup setup_of(const Settings& settings, bool cuda) {
+  const auto either = [&]<class Value>(const Value& given, std::type_identity_t<Value> on_gpu,
+                                       std::type_identity_t<Value> on_cpu) {
+    return given != Value{} ? given : cuda ? on_gpu : on_cpu;
+  };
   return {.backend = cuda ? "cuda" : "cpu",
           .threads = cuda ? 0 : allowed_threads(),
-          .size = !settings.size.empty() ? settings.size
-                  : cuda                 ? "1024x1024"
-                                         : "256x256",
-          .random = settings.random > 0 ? settings.random : std::uint64_t{1} << (cuda ? 20 : 16),
-          .compared = settings.compared > 0 ? settings.compared : std::uint64_t{1} << (cuda ? 20 : 15),
-          .picture = !settings.picture.empty() ? settings.picture
-                     : cuda                    ? "512x512"
-                                               : "128x128",
+          .size = either(settings.size, "1024x1024", "256x256"),
+          .random = either(settings.random, 1 << 20, 1 << 16),
+          .compared = either(settings.compared, 1 << 20, 1 << 15),
+          .picture = either(settings.picture, "512x512", "128x128"),
           .seed = settings.seed,
-          .repeat = settings.repeat > 0 ? settings.repeat
-                    : cuda              ? 15U
-                                        : 3U};
+          .repeat = either(settings.repeat, 15, 3)};
 }
 
-// The configurations of one grid: precisions and stop rules.
-using GridPlan = std::vector<Configuration>;
+bool have_same_grid(const Configuration& a, const Configuration& b) {
+  return a.merge == b.merge && a.division == b.division && a.overlap == b.overlap;
+}
 
 // All configurations, each once, in the order of the CSV's rows. Scenes stored in float64 have only double
 // precision. Throws Error(usage) for an invalid division.
-std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
-  std::vector<GridPlan> plan;
+std::vector<Configuration> plan_of(const Settings& settings, bool float64) {
+  std::vector<Configuration> plan;
   const auto add = [&](const Configuration& c) {
     static_cast<void>(parse_division(c.division));
     if (float64 && c.precision != Precision::doubled) return;
-    auto grid = std::ranges::find_if(plan, [&](const GridPlan& planned) {
-      const Configuration& g = planned.front();
-      return g.merge == c.merge && g.division == c.division && g.overlap == c.overlap;
-    });
-    if (grid == plan.end())
-      plan.push_back({c});
-    else if (std::ranges::find(*grid, c) == grid->end())
-      grid->push_back(c);
+    if (std::ranges::find(plan, c) == plan.end()) plan.push_back(c);
   };
   for (const std::string& merge : settings.merges) {
     // The top level of an irregular grid always has the automatic division. A hierarchy has no division, no
@@ -124,34 +117,28 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
                    TradeoffCsv& csv, std::vector<TradeoffRow>& rows) {
   const SceneFile scene(path);
   const std::string name = name_of_scene(path), hash = to_hex(scene.hash());
-  std::vector<GridPlan> plan = plan_of(settings, scene.is_float64());
+  std::vector<Configuration> plan = plan_of(settings, scene.is_float64());
   if (plan.empty())
     static_cast<void>(resolved(named<Precision>(settings.precisions.front()), scene)); // throws
-  std::size_t to_do = 0;
-  for (GridPlan& grid : plan) {
-    std::erase_if(grid, [&](const Configuration& c) {
-      return std::ranges::any_of(rows, [&](const TradeoffRow& row) {
-        return row.scene == name && row.scene_hash == hash && row.setup == setup && row.configuration == c;
-      });
+  std::erase_if(plan, [&](const Configuration& c) {
+    return std::ranges::any_of(rows, [&](const TradeoffRow& row) {
+      return row.scene == name && row.scene_hash == hash && row.setup == setup && row.configuration == c;
     });
-    to_do += grid.size();
-  }
-  if (to_do == 0) return;
+  });
+  if (plan.empty()) return;
   Progress progress(name.c_str());
   const TradeoffTask task(scene, setup);
-  double done = 0;
-  const auto step = [&] { progress(++done / static_cast<double>(to_do + 1)); };
-  step();
-  for (const GridPlan& configurations : plan) {
-    if (configurations.empty()) continue;
-    const Configuration& own = configurations.front();
-    const StructureFile grid = built_in_memory(
-        scene, {.structure = {own.merge}, .division = parse_division(own.division), .overlap = own.overlap});
-    for (const Configuration& configuration : configurations) {
-      rows.push_back({name, hash, setup, configuration, measure(task, grid, configuration)});
-      csv.add(rows.back());
-      step();
+  std::optional<StructureFile> grid; // one at a time
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Configuration& c = plan[i];
+    progress(static_cast<double>(i + 1) / static_cast<double>(plan.size() + 1));
+    if (i == 0 || !have_same_grid(c, plan[i - 1])) {
+      grid.reset();
+      grid.emplace(built_in_memory(
+          scene, {.structure = {c.merge}, .division = parse_division(c.division), .overlap = c.overlap}));
     }
+    rows.push_back({name, hash, setup, c, measure(task, *grid, c)});
+    csv.add(rows.back());
   }
 }
 
@@ -268,8 +255,7 @@ void bench_tradeoff(const Settings& settings, Output& output) {
   }
   if (settings.scenes.empty())
     throw Error(ErrorCode::usage, "SCENE", "is missing: give one or more scene files");
-  const TradeoffSetup setup = setup_of(settings, use_cuda(settings.backend));
-  output.why_no_gpu = why_no_gpu(settings.backend);
+  const TradeoffSetup setup = setup_of(settings, output.on_cuda(settings.backend));
   std::map<std::string, std::string> hashes;
   for (const std::string& scene : settings.scenes) { // errors first, before the measurements
     const SceneFile file(scene);

@@ -109,14 +109,6 @@ inline void add_general(const CommandLine& command, TracingRules& rules) {
   command.add_flag("--general", rules.general,
                    "use the kernel for all kinds of primitives, not the one for those in the scene");
 }
-// The names of pairs of a name and something else.
-template <class Pairs>
-std::set<std::string> names_in(const Pairs& pairs) {
-  std::set<std::string> names;
-  for (const auto& [name, named] : pairs)
-    names.insert(name);
-  return names;
-}
 inline bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }

@@ -5,6 +5,7 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/file/temporary_name.h"
+#include "tools/common/number_list.h"
 #include "tools/common/version.h"
 
 #include <fcntl.h>
@@ -165,14 +166,12 @@ void see_first_gpu_alone() {
 
 Camera resized(Camera camera, const std::string& size) {
   if (size.empty()) return camera;
-  int width = 0, height = 0, end = 0;
-  if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
-      static_cast<std::size_t>(end) != size.size() || width < 1 || height < 1 || width > 65536 ||
-      height > 65536) {
+  std::array<std::int32_t, 2> sides{};
+  if (!read_numbers(size, 'x', sides) ||
+      !std::ranges::all_of(sides, [](std::int32_t side) { return side >= 1 && side <= 65536; }))
     throw Error(ErrorCode::usage, "--size", fmt::format("'{}' isn't WxH with 1 to 65536 pixels each", size));
-  }
-  camera.width = width;
-  camera.height = height;
+  camera.width = sides[0];
+  camera.height = sides[1];
   return camera;
 }
 

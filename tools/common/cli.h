@@ -60,7 +60,7 @@ Camera resized(Camera camera, const std::string& size);
 // No more threads than these compute while the limit lives.
 using ThreadLimit = std::shared_ptr<const void>;
 ThreadLimit limit_threads(std::size_t threads);
-std::size_t allowed_threads(); // that the limits allow
+std::size_t allowed_threads(); // that the limits allow; without one, the cores that this process may use
 std::size_t all_cores();
 
 // Lets CUDA see its first GPU alone, before its first call, unless the environment says what it sees: to

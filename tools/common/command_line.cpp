@@ -14,6 +14,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,38 +42,30 @@ std::string wrapped(const std::string& lead, const std::string& paragraph, std::
                     std::size_t width) {
   std::string text = lead;
   std::size_t column = width_of(lead);
-  if (column + 2 > indent && !lead.empty()) {
+  bool begins = true; // a line
+  const auto end_line = [&] {
     text += "\n";
     column = 0;
-  }
-  bool begins = true; // a line
-  for (std::size_t next = 0; next < paragraph.size();) {
-    const std::size_t end = std::min(paragraph.find(' ', next), paragraph.size());
-    const std::string word = paragraph.substr(next, end - next);
-    next = end + 1;
-    if (!begins && column + 1 + width_of(word) > width) {
-      text += "\n";
-      column = 0;
-      begins = true;
-    }
+    begins = true;
+  };
+  if (column + 2 > indent && !lead.empty()) end_line();
+  std::istringstream words(paragraph);
+  for (std::string word; words >> word; begins = false) {
+    if (!begins && column + 1 + width_of(word) > width) end_line();
     const std::size_t spaces = !begins ? 1 : indent - std::min(indent, column);
     text += std::string(spaces, ' ') + word;
     column += spaces + width_of(word);
-    begins = false;
   }
   return text + "\n";
 }
 
 // Lines that begin with a space stand as they are.
-std::string wrapped_lines(const std::string& lines, std::size_t width) {
-  std::string text;
-  for (std::size_t next = 0; next < lines.size();) {
-    const std::size_t end = std::min(lines.find('\n', next), lines.size());
-    const std::string line = lines.substr(next, end - next);
-    text += line.starts_with(' ') ? line + "\n" : wrapped("", line, 0, width);
-    next = end + 1;
-  }
-  return text;
+std::string wrapped_lines(const std::string& text, std::size_t width) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    result += line.starts_with(' ') ? line + "\n" : wrapped("", line, 0, width);
+  return result;
 }
 
 std::string line_of(const CLI::Option& option, std::size_t width) {
@@ -176,20 +169,19 @@ void refuse_unknown_option(const CLI::App& app, const std::string& command) {
   if (unknown.empty()) return;
   std::string nearest;
   std::size_t least = std::max<std::size_t>(4, unknown.size() + 1) / 3;
-  const auto compare = [&](const CLI::App& with_options) {
-    for (const CLI::Option* const option : with_options.get_options()) {
-      for (const std::string& long_name : option->get_lnames()) {
-        const std::string name = "--" + long_name;
-        const std::size_t distance = edit_distance(unknown, name);
+  std::vector<const CLI::App*> apps{&app};
+  for (const CLI::App* const subcommand : app.get_subcommands())
+    apps.push_back(subcommand);
+  for (const CLI::App* const with_options : apps) {
+    for (const CLI::Option* const option : with_options->get_options()) {
+      for (const std::string& name : option->get_lnames()) {
+        const std::size_t distance = edit_distance(unknown, "--" + name);
         if (distance >= least) continue;
         least = distance;
-        nearest = name;
+        nearest = "--" + name;
       }
     }
-  };
-  compare(app);
-  for (const CLI::App* const subcommand : app.get_subcommands())
-    compare(*subcommand);
+  }
   throw Error(ErrorCode::usage, unknown,
               "unknown option: " +
                   (nearest.empty() ? "see " + command + " --help" : "did you mean " + nearest + "?"));
@@ -242,9 +234,6 @@ template Option Option::range(std::uint32_t, std::uint32_t) const;
 template Option Option::range(std::uint64_t, std::uint64_t) const;
 template Option Option::range(double, double) const;
 Option Option::among(const std::set<std::string>& values) const {
-  return Option(option_->check(CLI::IsMember(values)));
-}
-Option Option::among(const std::set<int>& values) const {
   return Option(option_->check(CLI::IsMember(values)));
 }
 Option Option::check(const std::function<std::string(const std::string&)>& fault,

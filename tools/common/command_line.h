@@ -38,7 +38,6 @@ public:
   template <class Number>
   Option range(Number least, std::type_identity_t<Number> most) const;
   Option among(const std::set<std::string>& values) const;
-  Option among(const std::set<int>& values) const;
   Option check(const std::function<std::string(const std::string&)>& fault, const std::string& what) const;
 
   // The heading of --help that it is under, instead of group()'s.

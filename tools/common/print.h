@@ -21,12 +21,9 @@ void print_note(fmt::format_string<Values...> format, Values&&... values) {
 
 // 1234567 as 1,234,567.
 inline std::string grouped(std::uint64_t number) {
-  const std::string digits = std::to_string(number);
-  std::string text;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
-    text += digits[i];
-  }
+  std::string text = std::to_string(number);
+  for (std::size_t at = text.size(); at > 3;)
+    text.insert(at -= 3, ",");
   return text;
 }
 

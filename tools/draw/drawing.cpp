@@ -161,19 +161,15 @@ void draw_frame(cairo_t* cairo, const DrawingBox& box, double width, Rgb color) 
 
 void draw_pixels(cairo_t* cairo, std::int32_t left, std::int32_t top, std::int32_t side, std::int32_t columns,
                  std::span<const Rgb> colors) {
-  // Those that are seen, as the source of a copy: its size has Cairo's limit, too.
   const auto rows = static_cast<std::int32_t>(colors.size() / static_cast<std::size_t>(columns));
+  cairo_save(cairo);
+  cairo_rectangle(cairo, left, top, columns * side, rows * side);
+  cairo_clip(cairo);
+  // Those that are seen, as the source of a copy: its size has Cairo's limit, too.
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  cairo_clip_extents(cairo, &x0, &y0, &x1, &y1);
-  const auto begin = [](double clip, std::int32_t from) {
-    return std::max(static_cast<std::int32_t>(std::floor(clip)), from);
-  };
-  const auto end = [](double clip, std::int32_t to) {
-    return std::min(static_cast<std::int32_t>(std::ceil(clip)), to);
-  };
-  const std::int32_t first_x = begin(x0, left), end_x = end(x1, left + columns * side),
-                     first_y = begin(y0, top), end_y = end(y1, top + rows * side);
-  if (first_x >= end_x || first_y >= end_y) return;
+  cairo_clip_extents(cairo, &x0, &y0, &x1, &y1); // whole numbers
+  const auto first_x = static_cast<std::int32_t>(x0), end_x = static_cast<std::int32_t>(x1),
+             first_y = static_cast<std::int32_t>(y0), end_y = static_cast<std::int32_t>(y1);
   const Owned<cairo_surface_t> image(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, end_x - first_x, end_y - first_y));
   unsigned char* const data = cairo_image_surface_get_data(image.get());
@@ -192,8 +188,8 @@ void draw_pixels(cairo_t* cairo, std::int32_t left, std::int32_t top, std::int32
   cairo_set_source_surface(cairo, image.get(), first_x,
                            first_y); // which takes over the image's error, if any
   cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_NEAREST);
-  cairo_rectangle(cairo, first_x, first_y, end_x - first_x, end_y - first_y);
-  cairo_fill(cairo);
+  cairo_paint(cairo);
+  cairo_restore(cairo);
 }
 
 void draw_text(cairo_t* cairo, double x, double y, const std::string& text, double size, TextAnchor anchor,

@@ -23,16 +23,6 @@ namespace {
 
 constexpr std::size_t most_svg_cells = std::size_t{1} << 18;
 
-// --- Values and their colours ----------------------------------------------------------------------------
-
-// A cell's value; none for those that list nothing, coloured by references. Volumes are in voxels of the
-// division.
-std::optional<double> value_of(const SliceCell& cell, SliceColor color, std::int32_t nested_log2) {
-  if (color == SliceColor::volume) return std::ldexp(static_cast<double>(cell.voxels), -3 * nested_log2);
-  if (color == SliceColor::depth) return cell.depth;
-  return cell.references == 0 ? std::nullopt : std::optional<double>(cell.references);
-}
-
 // --- Cells -----------------------------------------------------------------------------------------------
 
 // A cell's part in the plot.
@@ -149,14 +139,20 @@ void write_slice(const StructureFile& file, const SlicePlane& plane, const Slice
     return write_text_file(path, json_text(json, -1) + "\n");
   }
   const GridLayout finest = finest_layout(file);
-  const auto nested_log2 = static_cast<std::int32_t>(file.table().nested_log2());
   const bool is_hierarchy = file.is_hierarchy();
   if (style.high > 0 && style.color == SliceColor::volume)
     throw Error(ErrorCode::usage, "--color-high",
                 "is of references or depth: volumes have a logarithmic scale");
   if (is_hierarchy && style.color == SliceColor::volume)
     throw Error(ErrorCode::usage, "--color", "volume needs a grid of cells: a hierarchy has none");
-  const auto value = [&](const SliceCell& cell) { return value_of(cell, style.color, nested_log2); };
+  // None of cells that list nothing, coloured by references. Volumes are in voxels of the division.
+  const auto value = [&, nested_log2 = static_cast<int>(file.table().nested_log2())](
+                         const SliceCell& cell) -> std::optional<double> {
+    if (style.color == SliceColor::volume)
+      return std::ldexp(static_cast<double>(cell.voxels), -3 * nested_log2);
+    if (style.color == SliceColor::depth) return cell.depth;
+    return cell.references == 0 ? std::nullopt : std::optional<double>(cell.references);
+  };
   ValueRange range{style.color};
   range.has_empty = is_hierarchy || window.depth; // white shows between the rectangles
   std::size_t count = 0;

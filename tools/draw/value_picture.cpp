@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -102,46 +104,35 @@ std::string number(double value) {
 
 // A category for each name: no two that touch in the picture share one.
 std::unordered_map<std::int32_t, std::size_t> categories_of(const ValueMap<std::int32_t>& map) {
-  std::vector<std::pair<std::int32_t, std::int32_t>> touching; // both ways
-  std::unordered_map<std::int32_t, std::size_t> categories;
+  std::map<std::int32_t, std::vector<std::int32_t>> neighbours; // smaller ones, with repetitions
   for (std::int32_t y = 0; y < map.height; ++y) {
     for (std::int32_t x = 0; x < map.width; ++x) {
       const std::int32_t name = map.values[index_of(map.width, x, y)];
       if (name < 0) continue;
-      categories.emplace(name, 0);
+      neighbours.try_emplace(name);
       const auto touch = [&](std::int32_t other_x, std::int32_t other_y) {
         if (other_x < 0 || other_x >= map.width || other_y >= map.height) return;
         const std::int32_t other = map.values[index_of(map.width, other_x, other_y)];
-        if (other < 0 || other == name) return;
-        touching.emplace_back(name, other);
-        touching.emplace_back(other, name);
+        if (other >= 0 && other != name) neighbours[std::max(name, other)].push_back(std::min(name, other));
       };
       touch(x + 1, y);
       for (const std::int32_t dx : {-1, 0, 1})
         touch(x + dx, y + 1);
     }
   }
-  std::ranges::sort(touching);
-  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-  std::vector<std::int32_t> names;
-  names.reserve(categories.size());
-  for (const auto& [name, category] : categories)
-    names.push_back(name);
-  std::ranges::sort(names);
   // In order of names, each takes the first that no smaller neighbour has, from one of the usual ones on.
-  auto next = touching.begin();
-  for (const std::int32_t name : names) {
-    std::vector<std::size_t> used;
-    for (; next != touching.end() && next->first == name; ++next)
-      if (next->second < name) used.push_back(categories[next->second]);
-    const auto is_free = [&](std::size_t c) { return std::ranges::find(used, c) == used.end(); };
+  std::unordered_map<std::int32_t, std::size_t> categories;
+  for (const auto& [name, smaller] : neighbours) {
+    std::set<std::size_t> used;
+    for (const std::int32_t other : smaller)
+      used.insert(categories.at(other));
     const std::size_t start = static_cast<std::uint32_t>(name) * 2654435769U >> 16;
     std::size_t category = start % usual_categories;
-    for (std::size_t tried = 0; tried < usual_categories && !is_free(category); ++tried)
+    for (std::size_t tried = 0; tried < usual_categories && used.contains(category); ++tried)
       category = (start + tried + 1) % usual_categories;
-    for (std::size_t more = usual_categories; !is_free(category); ++more)
+    for (std::size_t more = usual_categories; used.contains(category); ++more)
       category = more;
-    categories[name] = category;
+    categories.emplace(name, category);
   }
   return categories;
 }

@@ -32,21 +32,21 @@ inline std::size_t tasks_under_way(const ResidentTracer& tracer, std::size_t byt
 template <class Trace, class Write>
 void run_tasks(const ResidentTracer& tracer, std::size_t under_way, const Trace& trace, const Write& write) {
   using Traced = decltype(trace(std::size_t{0}));
+  // The first error. TBB mustn't see what is thrown: it would end every loop under way within the pipeline
+  // early, and a picture that another thread is writing meanwhile would be cut short.
+  std::exception_ptr error;
+  std::mutex mutex;
+  std::atomic<bool> ended = false;
+  const auto kept = [&](const auto& act) {
+    try {
+      act();
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!error) error = std::current_exception();
+      ended = true;
+    }
+  };
   if (tracer.device() == Device::cpu) {
-    // TBB mustn't see what is thrown: it would end every loop under way within the pipeline early, and a
-    // picture that another thread is writing meanwhile would be cut short.
-    std::exception_ptr error;
-    std::mutex mutex;
-    std::atomic<bool> ended = false;
-    const auto kept = [&](const auto& act) {
-      try {
-        act();
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!error) error = std::current_exception();
-        ended = true;
-      }
-    };
     const auto traced = [&](tbb::flow_control& control) {
       Traced result{};
       // A thread that waits for the task's last rays doesn't begin another task meanwhile.
@@ -60,38 +60,24 @@ void run_tasks(const ResidentTracer& tracer, std::size_t under_way, const Trace&
     tbb::parallel_pipeline(under_way,
                            tbb::make_filter<void, Traced>(tbb::filter_mode::serial_in_order, traced) &
                                tbb::make_filter<Traced, void>(tbb::filter_mode::parallel, written));
-    if (error) std::rethrow_exception(error);
-    return;
-  }
-  tbb::concurrent_bounded_queue<std::size_t> free_devices; // a GPU for several queries at a time
-  for (int query = 0; query < queries_per_gpu; ++query)
-    for (std::size_t device = 0; device < tracer.device_count(); ++device)
-      free_devices.push(device);
-  const auto trace_when_free = [&] {
-    std::size_t device = 0;
-    free_devices.pop(device);
-    try {
-      Traced result = trace(device);
-      free_devices.push(device);
-      return result;
-    } catch (...) { // other threads still wait for it
-      free_devices.push(device);
-      throw;
-    }
-  };
-  std::atomic<bool> ended = false;
-  on_threads(under_way, [&](std::size_t) {
-    try {
+  } else {
+    tbb::concurrent_bounded_queue<std::size_t> free_devices; // a GPU for several queries at a time
+    for (int query = 0; query < queries_per_gpu; ++query)
+      for (std::size_t device = 0; device < tracer.device_count(); ++device)
+        free_devices.push(device);
+    on_threads(under_way, [&](std::size_t) {
       while (!ended) {
-        const Traced result = trace_when_free();
+        Traced result{};
+        std::size_t device = 0;
+        free_devices.pop(device);
+        kept([&] { result = trace(device); });
+        free_devices.push(device); // other threads wait for it
         if (!result) break;
-        write(*result);
+        kept([&] { write(*result); });
       }
-    } catch (...) {
-      ended = true;
-      throw;
-    }
-  });
+    });
+  }
+  if (error) std::rethrow_exception(error);
 }
 
 } // namespace masu

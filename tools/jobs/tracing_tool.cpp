@@ -8,7 +8,6 @@
 #include "tools/common/print.h"
 #include "tools/report/counts_report.h"
 
-#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -93,12 +92,8 @@ Json precision_json(const TracingReport& report, Precision wanted) {
 
 ThreadLimit limit_threads(const TracingOptions& options, const Ranks& ranks) {
   const auto machine = static_cast<std::size_t>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  const int count = sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : 0;
-  const std::size_t mine = count > 0 ? static_cast<std::size_t>(count) : machine;
   return options.threads.limit(
-      std::clamp<std::size_t>(machine / static_cast<std::size_t>(ranks.local_count()), 1, mine));
+      std::clamp<std::size_t>(machine / static_cast<std::size_t>(ranks.local_count()), 1, allowed_threads()));
 }
 
 std::vector<int> gpus_of(const TracingOptions& options, Ranks& ranks) {
@@ -130,13 +125,10 @@ Resume resume_of(const TracingOptions& options, const OpenedScene& opened) {
   const std::string path = options.report();
   if (path.empty() || !is_kept(path, {})) return Resume::all;
   const Json report = Json::parse(read_text_input(path), nullptr, false), now = provenance();
-  const auto same = [&](const char* key, const Json& value) {
-    return report.is_object() && report.contains(key) && report[key] == value;
-  };
-  return same("scene_hash", to_hex(opened.scene.hash())) && report.contains("command") &&
-                 words_of(report["command"]) == words_of(now["command"])
-             ? Resume::all
-             : Resume::described;
+  const bool is_same = report.is_object() &&
+                       report.value("scene_hash", Json()) == to_hex(opened.scene.hash()) &&
+                       words_of(report.value("command", Json())) == words_of(now["command"]);
+  return is_same ? Resume::all : Resume::described;
 }
 
 void write_reports(const char* tool, const TracingOptions& options, const OpenedScene& opened,

@@ -68,23 +68,21 @@ std::vector<std::uint8_t> PictureBands::picture(std::size_t band, const Frame& f
   return bytes;
 }
 
-// The bottom band comes first in the file, with the head.
-std::uint64_t PictureBands::pfm_offset(std::size_t band) const {
-  if (is_last(band)) return 0;
-  const auto below = static_cast<std::uint64_t>(height_ - first_row(band) - rows(band));
-  return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
-}
-
 KnownBy PictureBands::known_by(const PictureTexts& texts) const {
-  if (format_ == ImageFormat::pfm) return {pfm_head(width(), height_), pfm_bytes()};
+  if (format_ == ImageFormat::pfm) return {pfm_head(width(), height_), pfm_bytes(height_)};
   const std::vector<std::uint8_t> head =
       format_ == ImageFormat::jpeg ? jpeg_comment(texts) : png_head(width(), height_, texts);
   return {{head.begin(), head.end()}};
 }
 
 PartedForm PictureBands::picture_form(std::function<PictureTexts()> texts) const {
-  if (format_ == ImageFormat::pfm)
-    return {count(), [this](std::uint64_t band) { return pfm_offset(band); }, pfm_bytes()};
+  if (format_ == ImageFormat::pfm) {
+    // The bottom band comes first in the file, with the head.
+    const auto offset = [this](std::uint64_t band) {
+      return is_last(band) ? 0 : pfm_bytes(height_ - first_row(band) - rows(band));
+    };
+    return {count(), offset, pfm_bytes(height_)};
+  }
   // Compression enlarges nothing by more than this. Of a JPEG it is twice TurboJPEG's own bound.
   const bool is_jpeg = format_ == ImageFormat::jpeg;
   const std::uint64_t row_bytes = (is_jpeg ? 12 : 3) * static_cast<std::uint64_t>(width()) + 1,

@@ -23,12 +23,9 @@ public:
   }
   bool is_last(std::size_t band) const { return band + 1 == count(); }
   std::uint64_t rays_counted(std::size_t band) const {
-    const std::int32_t counted = rows(band) + (is_last(band) ? more_ : 0);
-    return static_cast<std::uint64_t>(counted) * static_cast<std::uint64_t>(rays_.columns);
+    return rays_in(rows(band) + (is_last(band) ? more_ : 0));
   }
-  std::size_t largest_band_rays() const {
-    return static_cast<std::size_t>(rays_.columns) * static_cast<std::size_t>(rows(0) + more_);
-  }
+  std::size_t largest_band_rays() const { return rays_in(rows(0) + more_); }
 
   // What a band's frame gives for the picture's files: 8-byte records of the hits, and rows of the picture. A
   // PFM file's have the file's head with them; others' are encoded, and follow each other.
@@ -41,22 +38,21 @@ public:
   KnownBy known_by(const PictureTexts& texts) const;
 
   // Its index in the picture.
-  std::uint64_t first_hit(std::size_t band) const {
-    return static_cast<std::uint64_t>(first_row(band)) * static_cast<std::uint64_t>(rays_.columns);
-  }
+  std::uint64_t first_hit(std::size_t band) const { return rays_in(first_row(band)); }
   // Of the whole picture.
-  std::uint64_t hit_count() const {
-    return static_cast<std::uint64_t>(rays_.columns) * static_cast<std::uint64_t>(rays_.rows);
-  }
+  std::uint64_t hit_count() const { return rays_in(rays_.rows); }
 
 private:
   std::int32_t first_row(std::size_t band) const { return static_cast<std::int32_t>(band) * band_rows_; }
-  std::uint64_t pfm_offset(std::size_t band) const;
-  std::uint64_t pfm_bytes() const {
-    const std::uint64_t pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_);
+  std::int32_t rows(std::size_t band) const { return std::min(band_rows_, height_ - first_row(band)); }
+  std::uint64_t rays_in(std::int32_t rows) const {
+    return static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(rays_.columns);
+  }
+  // Of a PFM file as far as so many rows from the bottom, with its head.
+  std::uint64_t pfm_bytes(std::int32_t rows) const {
+    const std::uint64_t pixels = static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(width());
     return pfm_head(width(), height_).size() + pixels * sizeof(Vec3f);
   }
-  std::int32_t rows(std::size_t band) const { return std::min(band_rows_, height_ - first_row(band)); }
 
   RayWindow rays_;
   Sampling sampling_;

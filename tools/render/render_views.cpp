@@ -81,6 +81,9 @@ struct ViewFile {
   std::string path;
   PartedForm form;
   std::function<std::vector<std::uint8_t>(std::size_t band, const Frame& frame)> part;
+  // What writes it, when it is open: with other ranks, or this process alone.
+  std::unique_ptr<SharedFile> shared{};
+  std::unique_ptr<PartedFile> alone{};
 };
 
 PictureTexts texts_of(const ViewsRequest& request, std::size_t view) {
@@ -172,8 +175,8 @@ public:
     for (std::size_t view = layout.first_shared; view < request.views.size(); ++view) {
       if (!layout.is_shared(view)) continue;
       outputs_[view].files = files_of(request, layout.bands[view], view);
-      for (const ViewFile& file : outputs_[view].files)
-        outputs_[view].shared.push_back(std::make_unique<SharedFile>(file.path, file.form, ranks));
+      for (ViewFile& file : outputs_[view].files)
+        file.shared = std::make_unique<SharedFile>(file.path, file.form, ranks);
     }
   }
 
@@ -216,13 +219,13 @@ public:
   // Collective, when all bands are written.
   TracingReport finish() {
     const Stopwatch watch;
-    for (const Output& output : outputs_)
-      for (const auto& file : output.shared)
-        file->close();
+    for (const Output& output : outputs_) // those that are written alone are committed
+      for (const ViewFile& file : output.files)
+        file.shared->close();
     ranks_.wait_for_all([&] { show_progress(); });
     for (const Output& output : outputs_)
-      for (const auto& file : output.shared)
-        if (ranks_.rank() == 0) file->commit();
+      for (const ViewFile& file : output.files)
+        if (ranks_.rank() == 0) file.shared->commit();
     ranks_.wait_for_all();
     report_.write_seconds += watch.seconds();
     report_.views = request_.views.size();
@@ -284,10 +287,8 @@ private:
   }
 
   struct Output {
-    std::vector<ViewFile> files; // of a view
-    std::vector<std::unique_ptr<SharedFile>> shared;
-    std::vector<std::unique_ptr<PartedFile>> alone; // by this process
-    std::atomic<std::size_t> written = 0;           // bands, by this process alone
+    std::vector<ViewFile> files;          // of a view
+    std::atomic<std::size_t> written = 0; // bands, by this process alone
   };
 
   // Of a view that this process writes alone the first band that comes opens the files, and the last one
@@ -299,23 +300,18 @@ private:
       const std::lock_guard lock(mutex_);
       if (output.files.empty()) {
         std::vector<ViewFile> files = files_of(request_, layout_.bands[view], view);
-        std::vector<std::unique_ptr<PartedFile>> opened;
-        opened.reserve(files.size());
-        for (const ViewFile& file : files)
-          opened.push_back(std::make_unique<PartedFile>(file.path, file.form));
+        for (ViewFile& file : files)
+          file.alone = std::make_unique<PartedFile>(file.path, file.form);
         output.files = std::move(files);
-        output.alone = std::move(opened);
       }
     }
-    for (std::size_t i = 0; i < output.files.size(); ++i) {
-      std::vector<std::uint8_t> part = output.files[i].part(band, frame);
-      is_shared ? output.shared[i]->write(band, std::move(part))
-                : output.alone[i]->write(band, std::move(part));
+    for (const ViewFile& file : output.files) {
+      std::vector<std::uint8_t> part = file.part(band, frame);
+      is_shared ? file.shared->write(band, std::move(part)) : file.alone->write(band, std::move(part));
     }
     if (is_shared || ++output.written < layout_.bands[view].count()) return;
-    for (const auto& file : output.alone)
-      file->commit();
-    output.alone.clear();
+    for (const ViewFile& file : output.files)
+      file.alone->commit();
     output.files.clear();
   }
 

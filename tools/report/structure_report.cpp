@@ -20,13 +20,14 @@ struct Statistics {
   Vec3i division{}; // in the smallest voxels
 
   explicit Statistics(const StructureFile& file) {
-    const auto look_at = [this](const auto& view, const auto& records) {
-      cells = grid_statistics(view, records);
+    const auto look_at = [&](const auto& view, std::uint64_t count, const auto& records) {
+      cells = grid_statistics(count, file.references());
       map = map_statistics(view, records);
       division = view.division;
     };
-    file.is_merged() ? look_at(merged_view_of<double>(file.records()), file.cells())
-                     : look_at(view_of<double>(file.records()), file.references());
+    file.is_merged()
+        ? look_at(merged_view_of<double>(file.records()), file.cells().size(), file.cells())
+        : look_at(view_of<double>(file.records()), voxel_count(file.layout().division), file.references());
   }
 
   // Coefficient of variation of the references of occupied cells: 0 when all list the same number.

@@ -70,13 +70,19 @@ SharePlane plane_of(Parameters& parameters) {
   return {parameters.number<int>("axis", 0, 2), parameters.number<double>("share", 0, 1)};
 }
 
+PictureChannel channel_of(Parameters& parameters) {
+  for (const auto& [name, channel] : picture_channels())
+    if (name == parameters.text("channel")) return channel;
+  throw Error(ErrorCode::usage, "channel", "isn't one that pictures have");
+}
+
 PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   PictureRequest request;
   request.grid = grid_of(viewer, parameters);
   FrameRequest& frame = request.frame;
   frame.camera = camera_of(viewer, parameters);
   frame.rules.depth = parameters.number<int>("depth", 1, largest_depth);
-  request.channel = parse_picture_channel(parameters.text("channel"));
+  request.channel = channel_of(parameters);
   if (request.channel.is_cut) request.cut = plane_of(parameters);
   // moving: soon another one comes. still: the picture that gridrender makes.
   const std::string& quality = parameters.text("quality");

@@ -11,7 +11,6 @@ namespace masu {
 namespace {
 
 constexpr Rgb missed{255, 255, 255};
-constexpr const char* all_prefix = "all ";
 
 bool counts(Channel channel) {
   return channel == Channel::cells || channel == Channel::tests;
@@ -31,24 +30,14 @@ std::vector<std::uint8_t> colored(std::size_t pixels, const ColorOf& color_of) {
 
 } // namespace
 
-std::vector<std::string> picture_channel_names() {
-  std::vector<std::string> names{"shaded"};
+std::vector<std::pair<std::string, PictureChannel>> picture_channels() {
+  std::vector<std::pair<std::string, PictureChannel>> all{{"shaded", {}}};
   for (const Channel channel : all_channels)
-    names.emplace_back(name_of(channel));
+    all.push_back({name_of(channel), {channel}});
   for (const Channel channel : {Channel::cells, Channel::tests})
-    names.push_back(std::string(all_prefix) + name_of(channel));
-  names.emplace_back(cut_name);
-  return names;
-}
-
-PictureChannel parse_picture_channel(const std::string& name) {
-  if (name == "shaded") return {};
-  if (name == cut_name) return {{}, false, true};
-  for (const Channel channel : all_channels) {
-    if (name == name_of(channel)) return {channel, false};
-    if (counts(channel) && name == std::string(all_prefix) + name_of(channel)) return {channel, true};
-  }
-  throw Error(ErrorCode::usage, "channel", "isn't one that pictures have");
+    all.push_back({std::string("all ") + name_of(channel), {channel, true}});
+  all.push_back({"cut", {{}, false, true}});
+  return all;
 }
 
 bool depends_on_grid(const PictureChannel& channel) {

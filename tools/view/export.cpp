@@ -51,9 +51,9 @@ std::string deflated_text(std::string_view text) {
 // All pictures of a view: {channel: [one a grid]}, of channels that don't depend on the grid the first one's.
 Json channels_json(const Viewer& viewer, PictureRequest request) {
   Json all;
-  for (const std::string& name : picture_channel_names()) {
-    if (name == cut_name) continue; // of any plane
-    request.channel = parse_picture_channel(name);
+  for (const auto& [name, channel] : picture_channels()) {
+    if (channel.is_cut) continue; // of any plane
+    request.channel = channel;
     request.frame.sampling = request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
     for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
       const Picture picture = viewer.picture(request, is_gone);

@@ -308,6 +308,9 @@ Json Viewer::description() const {
                      {"bytes", grid->file.bytes()},
                      {"upload_seconds", grid->tracer.upload_seconds()}});
   }
+  Json channels = Json::array();
+  for (const auto& [name, channel] : picture_channels())
+    channels.push_back(name);
   const bool cuda = !grids_.empty() && grids_.front()->tracer.device() == Device::cuda;
   Json json{{"scene",
              {{"name", file_name(files_.path)},
@@ -320,7 +323,7 @@ Json Viewer::description() const {
             {"camera", camera_json(scene().camera())},
             {"grids", grids},
             {"divisions", divisions},
-            {"channels", picture_channel_names()},
+            {"channels", channels},
             {"colors", samples_of(ColorMap())},
             {"list_colors", samples_of(ColorMap::of_lists())},
             {"backend", cuda ? "cuda" : "cpu"},

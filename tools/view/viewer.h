@@ -76,12 +76,9 @@ struct PictureChannel {
 
   bool is_shaded() const { return !channel && !is_cut; }
 };
-inline constexpr const char* cut_name = "cut";
 
-// As the page calls them: shaded, depth, …, "all cells".
-std::vector<std::string> picture_channel_names();
-// Throws Error(usage, "channel", …).
-PictureChannel parse_picture_channel(const std::string& name);
+// With names as the page calls them: shaded, depth, …, "all cells", cut.
+std::vector<std::pair<std::string, PictureChannel>> picture_channels();
 
 // Whether the picture is another one for each grid: cells, tests, idle.
 bool depends_on_grid(const PictureChannel& channel);

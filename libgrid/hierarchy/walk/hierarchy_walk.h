@@ -164,9 +164,29 @@ struct HierarchyWalk {
     return go_back(stack, visitor.farthest());
   }
 
+  // Calls show(number) for the references. Tests are put off where few of a warp's lanes have any (after
+  // Ylitie, Karras & Laine), unless the visitor counts: what is visited would depend on that.
+  template <class Visitor, class Show>
+  MASU_HD void show_references([[maybe_unused]] HierarchyStack& stack,
+                               [[maybe_unused]] const Visitor& visitor, const Show& show) {
+#ifdef __CUDA_ARCH__
+    const int testing = __popc(__activemask());
+#endif
+    while (references.bits != 0) {
+#ifdef __CUDA_ARCH__
+      if (!visitor.counts.is_counted && __popc(__activemask()) * 4 < testing) {
+        push(stack, height, references);
+        break;
+      }
+#endif
+      const int reference = lowest_bit(references.bits);
+      references.bits &= references.bits - 1;
+      show(references.first + static_cast<std::uint32_t>(reference));
+    }
+  }
+
   // Visits the next node of the visitor's ray, and shows the visitor the references in the boxes that the ray
-  // meets; false at the end. Tests are put off where few of a warp's lanes have any (after Ylitie, Karras &
-  // Laine), unless the visitor counts: what is visited would depend on that.
+  // meets; false at the end.
   template <class Hierarchy, class Visitor>
   MASU_HD bool advance(const Hierarchy& hierarchy, HierarchyStack& stack, Visitor& visitor) {
     if (next != no_node) {
@@ -181,20 +201,7 @@ struct HierarchyWalk {
         visitor.counts.visited(next, node, visitor.ray.origin, inverse, visitor.farthest(), met);
       enter<needs_order<Visitor>>(node, met, stack);
     }
-#ifdef __CUDA_ARCH__
-    const int testing = __popc(__activemask());
-#endif
-    while (references.bits != 0) {
-#ifdef __CUDA_ARCH__
-      if (!visitor.counts.is_counted && __popc(__activemask()) * 4 < testing) {
-        push(stack, height, references);
-        break;
-      }
-#endif
-      const int reference = lowest_bit(references.bits);
-      references.bits &= references.bits - 1;
-      show(hierarchy, references.first + static_cast<std::uint32_t>(reference), visitor);
-    }
+    show_references(stack, visitor, [&](std::uint32_t reference) { show(hierarchy, reference, visitor); });
     return !visitor.ends() && go_back(stack, visitor.farthest());
   }
 };

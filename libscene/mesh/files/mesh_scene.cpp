@@ -142,16 +142,10 @@ Material colored(const FileMaterial& of_file, const Vec3f& color) {
   return material;
 }
 
-// Adds a triangle of the face. Numbers of faces are stored once one isn't its triangle's own.
+// Adds a triangle of the face.
 void add_triangle(Importing& state, const SceneTriangle& triangle) {
-  Scene& scene = state.result.scene;
-  const std::size_t number = scene.triangles.size();
-  if (scene.faces.empty() && state.face != number) {
-    const std::span<std::uint32_t> before = scene.faces.extend(number);
-    std::iota(before.begin(), before.end(), 0U);
-  }
-  if (state.face != number || !scene.faces.empty()) scene.faces.push_back(state.face);
-  scene.triangles.push_back(triangle);
+  state.result.scene.faces.push_back(state.face);
+  state.result.scene.triangles.push_back(triangle);
 }
 
 // Adds the triangles of the face whose corners, in the scene's coordinates, are state.corners: one that can't
@@ -256,11 +250,14 @@ ImportedScene scene_of(const MeshFile& file, const std::string& name, const Impo
   state.result.notes = file.notes;
   Scene& scene = state.result.scene;
   scene.triangles.reserve(triangles);
+  scene.faces.reserve(triangles);
   if (options.smooth) scene.normals.reserve(triangles);
   std::uint32_t number = 0;
   for (const MeshObject& object : file.objects)
     if (object.faces > 0) add_object(state, object, number++);
   place_points(scene.triangles);
+  // Each face has a triangle at least: of as many each is its own.
+  if (state.face == scene.triangles.size()) scene.faces = {};
   scene.materials = std::move(state.materials.materials);
   return std::move(state.result);
 }

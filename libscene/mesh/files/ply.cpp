@@ -17,29 +17,34 @@
 namespace masu {
 namespace {
 
-enum class Type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+// A number of that type; `is_swapped`: in the other order of bytes.
+template <class T>
+double number_of(const char* bytes, bool is_swapped) {
+  std::array<char, sizeof(T)> raw{};
+  std::memcpy(raw.data(), bytes, sizeof(T));
+  if (is_swapped) std::ranges::reverse(raw);
+  return static_cast<double>(std::bit_cast<T>(raw));
+}
 
-struct TypeName {
+struct Type {
   std::string_view name, other;
   std::size_t bytes;
+  bool is_whole;
   double one; // a colour's full intensity
+  double (*number)(const char*, bool);
 };
-constexpr std::array<TypeName, 10> types{{{"char", "int8", 1, 127},
-                                          {"uchar", "uint8", 1, 255},
-                                          {"short", "int16", 2, 32767},
-                                          {"ushort", "uint16", 2, 65535},
-                                          {"int", "int32", 4, 2147483647},
-                                          {"uint", "uint32", 4, 4294967295},
-                                          {"int64", "long", 8, 0x1p63},
-                                          {"uint64", "ulong", 8, 0x1p64},
-                                          {"float", "float32", 4, 1},
-                                          {"double", "float64", 8, 1}}};
-constexpr std::size_t bytes_of(Type type) {
-  return types[static_cast<std::size_t>(type)].bytes;
+template <class T>
+constexpr Type type_named(std::string_view name, std::string_view other) {
+  constexpr bool is_whole = std::is_integral_v<T>;
+  constexpr double one = is_whole ? static_cast<double>(std::numeric_limits<T>::max()) : 1;
+  return {name, other, sizeof(T), is_whole, one, number_of<T>};
 }
-constexpr bool is_whole(Type type) {
-  return type < Type::float32;
-}
+constexpr std::array types{
+    type_named<std::int8_t>("char", "int8"),    type_named<std::uint8_t>("uchar", "uint8"),
+    type_named<std::int16_t>("short", "int16"), type_named<std::uint16_t>("ushort", "uint16"),
+    type_named<std::int32_t>("int", "int32"),   type_named<std::uint32_t>("uint", "uint32"),
+    type_named<std::int64_t>("int64", "long"),  type_named<std::uint64_t>("uint64", "ulong"),
+    type_named<float>("float", "float32"),      type_named<double>("double", "float64")};
 
 // What is taken of the properties, in the order of `slot_names`.
 enum Slot : std::size_t { x, y, z, nx, ny, nz, red, green, blue, slots, none = slots };
@@ -49,8 +54,8 @@ using Values = std::array<double, slots + 1>;
 
 struct Property {
   std::string name;
-  Type type{};
-  std::optional<Type> length{}; // of a list
+  const Type* type = nullptr;
+  const Type* length = nullptr; // of a list
   std::size_t slot = none;
   bool is_corners = false;
 };
@@ -58,10 +63,10 @@ struct Element {
   std::string name;
   std::uint64_t count = 0;
   std::vector<Property> properties{};
-  std::uint64_t line = 0;
 
-  bool has(Slot slot) const {
-    return std::ranges::any_of(properties, [&](const Property& p) { return p.slot == slot; });
+  const Property* find(std::size_t slot) const {
+    const auto found = std::ranges::find(properties, slot, &Property::slot);
+    return found != properties.end() ? &*found : nullptr;
   }
 };
 struct Header {
@@ -71,14 +76,12 @@ struct Header {
 
 // --- The header ------------------------------------------------------------------------------------------
 
-Type type_of(TextLines& lines) {
-  const std::string_view word = lines.peek();
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    if (types[i].name != word && types[i].other != word) continue;
-    lines.word();
-    return static_cast<Type>(i);
-  }
-  lines.fail_at_word("a property's type (char to uint64, float or double)");
+const Type* type_of(TextLines& lines) {
+  const auto found = std::ranges::find_if(
+      types, [word = lines.peek()](const Type& type) { return type.name == word || type.other == word; });
+  if (found == types.end()) lines.fail_at_word("a property's type (char to uint64, float or double)");
+  lines.word();
+  return &*found;
 }
 
 Property property_of(TextLines& lines, bool is_face, bool is_vertex) {
@@ -86,17 +89,17 @@ Property property_of(TextLines& lines, bool is_face, bool is_vertex) {
   if (lines.peek() == "list") {
     lines.word();
     property.length = type_of(lines);
-    if (!is_whole(*property.length))
+    if (!property.length->is_whole)
       lines.fail("a list's length isn't of a type of whole numbers: correct it");
   }
   property.type = type_of(lines);
   property.name = lines.word();
   if (property.name.empty() || !lines.is_at_end())
     lines.fail("is no property of one type and name, nor a list of two types and a name: correct it");
-  const bool is_list = property.length.has_value();
+  const bool is_list = property.length != nullptr;
   property.is_corners =
       is_face && is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
-  if (property.is_corners && !is_whole(property.type))
+  if (property.is_corners && !property.type->is_whole)
     lines.fail("numbers of vertices aren't of a type of whole numbers: correct it");
   for (std::size_t slot = 0; is_vertex && !is_list && slot < slots; ++slot)
     if (std::ranges::find(slot_names[slot], property.name) != slot_names[slot].end()) property.slot = slot;
@@ -105,7 +108,7 @@ Property property_of(TextLines& lines, bool is_face, bool is_vertex) {
 
 void check_element(const TextLines& lines, const Element& element) {
   if (element.count == 0) return;
-  if (element.name == "vertex" && !(element.has(x) && element.has(y) && element.has(z)))
+  if (element.name == "vertex" && !(element.find(x) && element.find(y) && element.find(z)))
     lines.fail("the header's vertices lack x, y or z: give them all");
   if (element.name == "face" && std::ranges::none_of(element.properties, &Property::is_corners))
     lines.fail("the header's faces have no list vertex_indices: give it");
@@ -138,7 +141,6 @@ Header header_of(TextLines& lines) {
       if (std::ranges::count(header.elements, element.name, &Element::name) > 0)
         lines.fail("names an element a second time: correct it");
       element.count = static_cast<std::uint64_t>(count);
-      element.line = lines.line();
       header.elements.push_back(std::move(element));
     } else if (word == "property") {
       if (header.elements.empty()) lines.fail("is a property of no element: correct it");
@@ -162,7 +164,7 @@ public:
     if (!lines_.next())
       lines_.fail_at_end(fmt::format("{} {} of {}", excerpt(element.name), number, element.count));
   }
-  double next(Type) { return lines_.number("a number"); }
+  double next(const Type&) { return lines_.number("a number"); }
   void end() {
     if (!lines_.is_at_end())
       lines_.fail("has more numbers than the header's properties: correct one of them");
@@ -187,19 +189,17 @@ public:
     element_ = &element;
     number_ = number;
   }
-  double next(Type type) {
-    using Of = BinaryValues;
-    constexpr std::array takes{&Of::take<std::int8_t>,   &Of::take<std::uint8_t>,  &Of::take<std::int16_t>,
-                               &Of::take<std::uint16_t>, &Of::take<std::int32_t>,  &Of::take<std::uint32_t>,
-                               &Of::take<std::int64_t>,  &Of::take<std::uint64_t>, &Of::take<float>,
-                               &Of::take<double>};
-    return (this->*takes[static_cast<std::size_t>(type)])();
+  double next(const Type& type) {
+    check_room(type.bytes);
+    const double number = type.number(bytes_.data(), is_swapped_);
+    bytes_.remove_prefix(type.bytes);
+    return number;
   }
   void end() {}
   std::uint64_t most(const Element& element) const {
     std::size_t least = 0;
     for (const Property& p : element.properties)
-      least += bytes_of(p.length.value_or(p.type));
+      least += (p.length != nullptr ? p.length : p.type)->bytes;
     return least == 0 ? 0 : bytes_.size() / least;
   }
   void check_room(std::uint64_t bytes) const {
@@ -211,16 +211,6 @@ public:
   std::uint64_t finish() const { return bytes_.size(); }
 
 private:
-  template <class T>
-  double take() {
-    check_room(sizeof(T));
-    std::array<char, sizeof(T)> raw{};
-    std::memcpy(raw.data(), bytes_.data(), sizeof(T));
-    if (is_swapped_) std::ranges::reverse(raw);
-    bytes_.remove_prefix(sizeof(T));
-    return static_cast<double>(std::bit_cast<T>(raw));
-  }
-
   std::string_view bytes_;
   bool is_swapped_;
   const std::string& name_;
@@ -236,7 +226,7 @@ std::uint64_t length_of(Source& source, const Property& property) {
   if (!(length >= 0 && length < 0x1p32) || length != std::floor(length))
     source.fail("a list's length isn't a whole number from 0 on: correct it");
   const auto count = static_cast<std::uint64_t>(length);
-  source.check_room(count * bytes_of(property.type));
+  source.check_room(count * property.type->bytes);
   return count;
 }
 
@@ -249,14 +239,14 @@ void read_element(Source& source, const Element& element, std::uint64_t vertices
   for (std::uint64_t i = 0; i < element.count; ++i) {
     source.begin(element, i);
     for (const Property& property : element.properties) {
-      if (!property.length) {
-        values[property.slot] = source.next(property.type);
+      if (property.length == nullptr) {
+        values[property.slot] = source.next(*property.type);
         continue;
       }
       const std::uint64_t length = length_of(source, property);
       if (property.is_corners) corners.clear();
       for (std::uint64_t k = 0; k < length; ++k) {
-        const double value = source.next(property.type);
+        const double value = source.next(*property.type);
         if (!property.is_corners) continue;
         if (!(value >= 0 && value < static_cast<double>(vertices)) || value != std::floor(value))
           source.fail(fmt::format("face {} has vertex {} of {}, which are numbered from 0: correct it", i,
@@ -269,21 +259,18 @@ void read_element(Source& source, const Element& element, std::uint64_t vertices
   }
 }
 
-double full_intensity(const Element& element, Slot slot) {
-  for (const Property& property : element.properties)
-    if (property.slot == slot) return types[static_cast<std::size_t>(property.type)].one;
-  return 1;
-}
-
 template <class Source>
 void read_vertices(Source& source, const Element& element, MeshFile& file) {
   if (element.count > no_index) source.fail("has more than 2^32 - 1 vertices: split the file");
   const auto has_one = [&](Slot a, Slot b, Slot c) {
-    return element.has(a) || element.has(b) || element.has(c);
+    return element.find(a) || element.find(b) || element.find(c);
   };
   const bool has_normals = has_one(nx, ny, nz), has_colors = has_one(red, green, blue);
-  const Vec3d one{full_intensity(element, red), full_intensity(element, green),
-                  full_intensity(element, blue)};
+  const auto full_intensity = [&](Slot slot) {
+    const Property* const property = element.find(slot);
+    return property != nullptr ? property->type->one : 1;
+  };
+  const Vec3d one{full_intensity(red), full_intensity(green), full_intensity(blue)};
   const std::uint64_t count = std::min(element.count, source.most(element));
   file.positions.reserve(count);
   if (has_normals) file.normals.reserve(count);

@@ -28,23 +28,14 @@ scenes() {
   echo "mount-10-triangles:mount --size $(full 10 3):--tessellate 12"
 }
 
-# A line for each grid beside the automatic one: its name, the options of gridbuild.
-grids() {
-  local n
-  for n in 32 auto; do echo "none-$n:--merge none --division $n"; done
-  echo "irregular:--merge irregular"
-}
-
 prepare() {
   scenes | while IFS=: read -r name made converted; do
     echo "nffgen $made | nff2bin - -o $name.scene -q $converted"
   done | at_once
   for name in "${standard[@]}"; do
-    echo "gridbuild $name.scene -o $name.grid -q --threads 1 --structure grid"
-    echo "gridbuild $name.scene -o $name.chosen.grid -q --threads 1"
-    echo "gridbuild $name.scene -o $name-bvh.grid -q --threads 1 --structure bvh"
-    grids | while IFS=: read -r grid options; do
-      echo "gridbuild $name.scene -o $name.$grid.grid -q --threads 1 $options"
+    for made in '.grid --structure grid' .chosen.grid '-bvh.grid --structure bvh' '.irregular.grid --merge irregular' \
+      '.none-32.grid --merge none --division 32' '.none-auto.grid --merge none --division auto'; do
+      echo "gridbuild $name.scene -q --threads 1 -o $name$made"
     done
   done | at_once
   for name in balls-5 mount-8 mount-10; do gridbuild $name.scene -o $name.grid -q --structure grid; done

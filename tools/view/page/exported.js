@@ -1,7 +1,8 @@
 // Where pictures and figures come from in a page that gridview --export wrote: from the page itself.
 'use strict';
 
-const nearestTo = (values, wanted) => values.reduce((best, value) => (Math.abs(value - wanted) < Math.abs(best - wanted) ? value : best), values[0]);
+// The first of those that are least away.
+const nearestOf = (all, away) => all.reduce((best, one) => (away(one) < away(best) ? one : best), all[0]);
 
 // Of base64.
 function blobOf(text) {
@@ -20,31 +21,29 @@ class Exported {
 
   async scene() { return withDivisions(this.data.scene, false); }
 
-  // The index of the view from the most similar direction.
-  index(camera) {
-    const direction = (one) => Vec.normalized(Vec.sub(one.from, one.at));
-    const wanted = direction(camera);
-    const likeness = this.data.views.map((view) => Vec.dot(direction(view.camera), wanted));
-    return likeness.indexOf(Math.max(...likeness));
+  // From the most similar direction.
+  view(camera) {
+    const direction = ({from, at}) => Vec.normalized(Vec.sub(from, at)), wanted = direction(camera);
+    return nearestOf(this.data.views, (view) => -Vec.dot(direction(view.camera), wanted));
   }
-  nearest(camera) { return this.data.views[this.index(camera)].camera; }
+  nearest(camera) { return this.view(camera).camera; }
 
   async picture(view) {
-    const all = this.data.views[this.index(view.camera)].channels[view.channel];
+    const all = this.view(view.camera).channels[view.channel];
     const {timing, jpeg = all[0].jpeg, values = all[0].values} = all[view.grid];
     return pictureOf(blobOf(jpeg ?? values), jpeg !== undefined, timing, () => NaN);
   }
 
-  async counts(view) { return this.data.views[this.index(view.camera)].counts[view.grid]; }
+  async counts(view) { return this.view(view.camera).counts[view.grid]; }
 
   // The nearest pixel whose walk was exported, as shares of the picture.
   pixel(shareX, shareY) {
     return [shareX, shareY].map((share, axis) =>
-      nearestTo(this.data.pixels[axis].map((at) => (at + 0.5) / this.size[axis]), share));
+      nearestOf(this.data.pixels[axis].map((at) => (at + 0.5) / this.size[axis]), (at) => Math.abs(at - share)));
   }
   async ray({camera}, x, y) {
     const [columns, rows] = this.data.pixels;
-    const {origin, direction} = this.data.views[this.index(camera)].walks[rows.indexOf(y) * columns.length + columns.indexOf(x)];
+    const {origin, direction} = this.view(camera).walks[rows.indexOf(y) * columns.length + columns.indexOf(x)];
     return {origin, direction};
   }
 
@@ -88,14 +87,12 @@ class Exported {
     return {voxels: {first, end}, box: {min: corner(first), max: corner(end)}};
   }
   plane(slice) {
-    const ofAxis = this.data.planes.filter(({axis}) => axis === slice.axis), nearest = nearestTo(ofAxis.map(({position}) => position), slice.position);
-    return ofAxis.find(({position}) => position === nearest);
+    return nearestOf(this.data.planes.filter(({axis}) => axis === slice.axis), ({position}) => Math.abs(position - slice.position));
   }
   // Of the plane's rays.
   nearestEnds({points, walks}, from, to) {
     const away = ({ends}) => Vec.length(Vec.sub(points[ends[0]], from)) ** 2 + Vec.length(Vec.sub(points[ends[1]], to)) ** 2;
-    const all = walks.map(away);
-    return walks[all.indexOf(Math.min(...all))].ends.map((index) => points[index]);
+    return nearestOf(walks, away).ends.map((index) => points[index]);
   }
   planeEnds(slice, {from, to}) {
     const ends = this.nearestEnds(this.plane(slice), ...[from, to].map(([u, v]) => slicePoint(slice, u, v)));
@@ -110,8 +107,8 @@ class Exported {
   // The nearest of the same axis, or of any where it has none.
   sliceAt({axis, share}) {
     const {planes} = this.data, same = planes.filter((plane) => plane.axis === axis), all = same.length > 0 ? same : planes;
-    const nearest = nearestTo(all.map((plane) => plane.share), share);
-    return {axis: all.find((plane) => plane.share === nearest).axis, share: nearest};
+    const nearest = nearestOf(all, (plane) => Math.abs(plane.share - share));
+    return {axis: nearest.axis, share: nearest.share};
   }
   async slice(grid, axis, share) {
     const index = this.data.planes.findIndex((plane) => plane.axis === axis && plane.share === share);
