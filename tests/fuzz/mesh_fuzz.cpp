@@ -3,9 +3,13 @@
 #include "libscene/base/error.h"
 #include "libscene/mesh/import/import.h"
 
+#include <unistd.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <string>
 
 // Assimp leaks some of what it has read of an invalid file.
 extern "C" const char* __lsan_default_suppressions() { // NOLINT(bugprone-reserved-identifier)
@@ -15,10 +19,14 @@ extern "C" const char* __lsan_default_suppressions() { // NOLINT(bugprone-reserv
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   constexpr std::array formats{"gltf", "glb", "dae", "3ds", "ase", "raw"};
+  const std::string path =
+      "/dev/shm/masu-fuzz-" + std::to_string(getpid()) + "." + formats[data[0] / 2 % formats.size()];
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(data + 1), static_cast<std::streamsize>(size - 1));
   try {
-    masu::parse_mesh({data + 1, size - 1}, formats[data[0] / 2 % formats.size()], "fuzz",
-                     {.smooth = data[0] % 2 != 0});
+    masu::read_mesh(path, {.smooth = data[0] % 2 != 0});
   } catch (const masu::Error&) {
   }
+  unlink(path.c_str());
   return 0;
 }

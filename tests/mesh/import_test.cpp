@@ -5,6 +5,7 @@
 #include "tests/mesh/mesh_texts.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
+#include "tests/temporary_folder.h"
 
 #include <map>
 #include <numbers>
@@ -23,9 +24,16 @@ using Import = RandomTest;
 
 using Polygon = std::vector<Vec3d>;
 
+// Of a file that errors call t.
 ImportedScene parse(std::string_view text, const std::string& extension, const ImportOptions& options = {}) {
-  return parse_mesh({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, extension, "t",
-                    options);
+  const TemporaryFolder folder;
+  const std::string path = folder.file(extension.empty() ? "t" : "t." + extension);
+  write_text(path, text);
+  try {
+    return read_mesh(path, options);
+  } catch (const Error& error) {
+    throw Error(error.code(), "t" + error.place().substr(path.size()), error.message());
+  }
 }
 
 // --- Polygons in several formats ------------------------------------------------------------------------

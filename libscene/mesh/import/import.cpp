@@ -258,40 +258,27 @@ void check_gltf_extensions(std::string_view file, const std::string& name) {
 // --- Our own readers, and Assimp for all else --------------------------------------------------------------
 
 // The mesh, if it isn't one for Assimp.
-std::optional<MeshFile> parsed_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
-                                    const std::filesystem::path& folder, const std::string& name,
-                                    const ImportOptions& options) {
+std::optional<MeshFile> parsed_mesh(const std::string& path, const ImportOptions& options) {
+  const std::filesystem::path parts(path);
+  const std::string extension = extension_of(parts);
+  const HostBytes bytes = InputFile(path).contents();
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   std::optional<MeshFormat> format = format_of_name(extension);
   if (!format && (extension.empty() || !Assimp::Importer().IsExtensionSupported("." + extension)))
     format = format_of_content(text);
-  if (!format) {
-    check_gltf_extensions(text, name);
-    return {};
-  }
-  return read_mesh_file(bytes, *format, folder, name, options);
+  if (format) return read_mesh_file(bytes, *format, parts.parent_path(), path, options);
+  check_gltf_extensions(text, path);
+  return {};
 }
 
 } // namespace
 
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
-  const std::filesystem::path parts(path);
-  const std::string extension = extension_of(parts);
   if (options.opened) options.opened(path);
-  const std::optional<MeshFile> mesh =
-      parsed_mesh(InputFile(path).contents(), extension, parts.parent_path(), path, options);
-  if (mesh) return viewed_scene_of(*mesh, path, options);
+  if (const std::optional<MeshFile> mesh = parsed_mesh(path, options))
+    return viewed_scene_of(*mesh, path, options);
   return imported_by(path, options,
                      [&](Assimp::Importer& importer) { return importer.ReadFile(path, no_steps); });
-}
-
-ImportedScene parse_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
-                         const std::string& name, const ImportOptions& options) {
-  if (const std::optional<MeshFile> mesh = parsed_mesh(bytes, extension, {}, name, options))
-    return viewed_scene_of(*mesh, name, options);
-  return imported_by(name, options, [&](Assimp::Importer& importer) {
-    return importer.ReadFileFromMemory(bytes.data(), bytes.size(), no_steps, extension.c_str());
-  });
 }
 
 } // namespace masu

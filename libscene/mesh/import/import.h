@@ -10,8 +10,6 @@
 
 #include "libscene/mesh/files/mesh_scene.h"
 
-#include <cstdint>
-#include <span>
 #include <string>
 
 namespace masu {
@@ -20,10 +18,5 @@ namespace masu {
 // Error(input, path or path:line, …) for what can't be read, of Assimp with its own message; and as
 // scene_of().
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options = {});
-
-// The same from memory. `extension` (without a dot) is the ending. Files that the mesh refers to are searched
-// for in the current folder.
-ImportedScene parse_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
-                         const std::string& name, const ImportOptions& options = {});
 
 } // namespace masu
