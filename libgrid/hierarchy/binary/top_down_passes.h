@@ -4,7 +4,8 @@
 //   1. split    of each node's leaves by where their centres are
 //   2. divide   what is large by a plane, where that is cheaper (large_leaves.h)
 //   3. sort     each node's leaves, in its place, by the node of the next level that they are in, else in
-//               their order; 1 to 3 until all ranges are small
+//               their order; 1 to 3 until all ranges are small. Where a level's are small enough, and
+//               nothing is divided, a block of threads does 1 and 3 to each (SortRanges)
 //   4. finish   small ranges, with all that is below them (small_ranges.h)
 //   5. combine  boxes and costs, from the lowest level up
 //
