@@ -28,7 +28,11 @@ public:
   GrowingArray(std::initializer_list<T> values) { append(values); }
   GrowingArray(const GrowingArray& other) { append(other); }
   GrowingArray(GrowingArray&& other) noexcept { swap(other); }
-  GrowingArray& operator=(const GrowingArray& other) { return *this = GrowingArray(other); }
+  GrowingArray& operator=(const GrowingArray& other) {
+    GrowingArray copy(other);
+    swap(copy);
+    return *this;
+  }
   GrowingArray& operator=(GrowingArray&& other) noexcept {
     GrowingArray moved(std::move(other));
     swap(moved);

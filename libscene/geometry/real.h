@@ -120,7 +120,7 @@ MASU_ALWAYS_INLINE std::int32_t truncated(Real v) {
     return __double2int_rz(v);
 #else
   constexpr Real limit = 0x1p30F;
-  return v != v ? 0 : static_cast<std::int32_t>(v < -limit ? -limit : v > limit ? limit : v);
+  return std::isnan(v) ? 0 : static_cast<std::int32_t>(v < -limit ? -limit : v > limit ? limit : v);
 #endif
 }
 
