@@ -10,11 +10,6 @@
 #include <map>
 #include <numbers>
 
-// Assimp leaks some of what it has read of an invalid file.
-extern "C" const char* __lsan_default_suppressions() { // NOLINT(bugprone-reserved-identifier)
-  return "leak:libassimp";
-}
-
 namespace masu {
 namespace {
 

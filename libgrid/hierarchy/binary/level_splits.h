@@ -84,8 +84,8 @@ struct SplitRanges {
   }
 };
 
-// A block splits and sorts a range of so many leaves sooner than passes over those of all ranges do, which
-// are seven kernels.
+// Ranges of so many leaves at most are split and sorted by a block each, in one kernel: passes over the
+// leaves of all ranges are seven.
 inline constexpr std::uint32_t most_sorted_by_block = 1 << 15;
 
 // Ranges that aren't small, with no room for more leaves, are split, and their leaves sorted in their places.
